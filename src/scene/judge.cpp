@@ -29,6 +29,7 @@ Verdict judge_bound(const Expectation& e, const Bound& bound, const std::vector<
   const int end = static_cast<int>(frames.size());
   const int last = e.last_frame.value_or(end - 1);
   Verdict verdict;
+  verdict.says = e.says;
   const std::string range =
       e.first_frame == last ? fmt::format("in frame {}", last) : fmt::format("in frames {} to {}", e.first_frame, last);
   const std::string wanted = fmt::format("{} {} {:g}{}{}", e.quantity->name, bound.words, bound.value,

@@ -24,7 +24,7 @@ struct Clip {
   int substeps = 6;             // integration steps per frame, 1 ... 1000000; the step is h = time_per_frame / substeps
 };
 
-struct View {
+struct ViewSetup {
   Eigen::Vector3d from{0.35, 0.3, 1.0};  // direction from the origin to the camera, world frame, any length > 0
 };
 
@@ -57,7 +57,7 @@ struct Scene {
   std::string caption;
   std::uint64_t seed = 1;  // of the jiggle
   Clip clip;
-  View view;
+  ViewSetup view;
   std::vector<BookSetup> books;  // 1 ... 8
   std::vector<Expectation> expectations;
 };

@@ -38,7 +38,7 @@ void read_clip(TableReader& scene_reader, Clip& clip) {
   reader.done();
 }
 
-void read_view(TableReader& scene_reader, View& view) {
+void read_view(TableReader& scene_reader, ViewSetup& view) {
   const toml::node* node = scene_reader.node("view");
   if (node == nullptr) return;
   if (!node->is_table()) scene_reader.fail(*node, "view", "a table [view]");
