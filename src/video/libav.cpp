@@ -15,7 +15,7 @@ thread_local std::string last_error_line;
 void keep_last_error(void* source, int level, const char* format, va_list arguments) {
   if (level > AV_LOG_ERROR) return;
   std::array<char, 512> line{};
-  int print_prefix = 1;
+  int print_prefix = 0;  // it would hold an address
   av_log_format_line2(source, level, format, arguments, line.data(), static_cast<int>(line.size()), &print_prefix);
   try {
     last_error_line = line.data();
