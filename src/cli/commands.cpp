@@ -169,8 +169,7 @@ int draw_scene_frame(const Options& options) {
   if (options.frame < 0 || options.frame >= scene.clip.frames) {
     fail_option("--frame", std::to_string(options.frame), fmt::format("0 to {}", scene.clip.frames - 1));
   }
-  Renderer renderer(size.width, size.height, project);
-  write_png(options.output, draw_frame(scene, options.frame, renderer));
+  write_png(options.output, draw_frame(scene, options.frame, size.width, size.height, project));
   return 0;
 }
 

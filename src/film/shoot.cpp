@@ -132,10 +132,10 @@ bool is_up_to_date(const FilmOrder& order, std::span<const fs::path> inputs) {
   return changed <= made;
 }
 
-Image draw_frame(const Scene& scene, int frame, Renderer& renderer) {
+Image draw_frame(const Scene& scene, int frame, int width, int height, const fs::path& assets) {
   const Trajectory trajectory = simulate(scene);
-  const Storyboard storyboard(scene, trajectory, static_cast<double>(renderer.width()) / renderer.height());
-  return renderer.draw(storyboard.shot(frame));
+  const Storyboard storyboard(scene, trajectory, static_cast<double>(width) / height);
+  return Renderer(width, height, assets).draw(storyboard.shot(frame));
 }
 
 }  // namespace bookspin

@@ -65,7 +65,7 @@ struct FilmOutcome {
 // settings, and met every expectation.
 [[nodiscard]] bool is_up_to_date(const FilmOrder& order, std::span<const std::filesystem::path> inputs);
 
-// One frame of a scene.
-[[nodiscard]] Image draw_frame(const Scene& scene, int frame, Renderer& renderer);
+// One frame of a scene, alone.
+[[nodiscard]] Image draw_frame(const Scene& scene, int frame, int width, int height, const std::filesystem::path& assets);
 
 }  // namespace bookspin

@@ -17,6 +17,7 @@ constexpr double name_offset = 1.16;                 // of a name below its book
 
 // Okabe and Ito's colours, told apart by every kind of colour vision.
 constexpr Color axis_colors[3] = {{230, 159, 0, 255}, {86, 180, 233, 255}, {0, 158, 115, 255}};
+constexpr Color name_color{236, 239, 244, 255};
 constexpr Color notice_color{240, 228, 66, 255};
 
 struct Sphere {
@@ -47,6 +48,16 @@ Camera camera_that_frames(const std::vector<Sphere>& spheres, const Eigen::Vecto
   }
   camera.eye_W = camera.target_W + distance * back_W;
   return camera;
+}
+
+Label centred_label(const std::string& text, double height, const Color& color, const Eigen::Vector2d& position) {
+  Label label;
+  label.text = text;
+  label.position = position;
+  label.height = height;
+  label.color = color;
+  label.align = Align::center;
+  return label;
 }
 
 double half_diagonal(const BookSetup& setup) { return 0.5 * setup.options.size.norm(); }
@@ -80,8 +91,7 @@ Shot Storyboard::shot(int frame) const {
                           setup.style == Style::ghost ? BookStyle::ghost : BookStyle::solid});
     if (setup.show_axes) add_axes(shot, setup, now);
     if (!setup.name.empty()) {
-      Label name{.text = setup.name, .height = 0.042, .align = Align::center};
-      name.position = {0.0, 0.0};
+      Label name = centred_label(setup.name, 0.042, name_color, {0.0, 0.0});
       name.anchor_W = setup.position_W - Eigen::Vector3d(0.0, name_offset * half_diagonal(setup), 0.0);
       shot.labels.push_back(name);
     }
@@ -91,10 +101,7 @@ Shot Storyboard::shot(int frame) const {
     }
   }
   if (!notice.empty()) {
-    Label label{.text = notice + "  (last frame before it)", .height = 0.045, .color = notice_color, .align = Align::center};
-    label.position = {0.5, 0.94};
-    label.tabular = true;
-    shot.labels.push_back(label);
+    shot.labels.push_back(centred_label(notice + ": the last frame before", 0.045, notice_color, {0.5, 0.94}));
   }
   return shot;
 }
@@ -107,8 +114,7 @@ void Storyboard::add_axes(Shot& shot, const BookSetup& setup, const BookFrame& n
     const Eigen::Vector3d surface_W = F_WB.col(d) * (0.5 * setup.options.size(d));
     const Eigen::Vector3d tip_W = surface_W + F_WB.col(d).normalized() * reach;
     shot.arrows.push_back({setup.position_W - surface_W, setup.position_W + tip_W, axis_colors[d], 0.022 * half_diagonal(setup)});
-    Label name{.text = names[static_cast<std::size_t>(d)], .height = 0.07, .color = axis_colors[d], .align = Align::center};
-    name.position = {0.0, 0.02};
+    Label name = centred_label(names[static_cast<std::size_t>(d)], 0.07, axis_colors[d], {0.0, 0.02});
     name.weight = Weight::semibold;
     name.anchor_W = setup.position_W + tip_W + F_WB.col(d).normalized() * (0.14 * half_diagonal(setup));
     shot.labels.push_back(name);
