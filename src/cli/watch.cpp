@@ -13,8 +13,8 @@ namespace {
 volatile std::sig_atomic_t signal_seen = 0;
 
 void remember_signal(int number) {
-  signal_seen = 1;
-  std::signal(number, SIG_DFL);
+  signal_seen = signal_seen + 1;
+  if (signal_seen >= 2) std::signal(number, SIG_DFL);  // some senders signal twice: process and group
 }
 
 }  // namespace

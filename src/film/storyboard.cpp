@@ -17,6 +17,7 @@ constexpr double name_offset = 1.16;                 // of a name below its book
 
 // Okabe and Ito's colours, told apart by every kind of colour vision.
 constexpr Color axis_colors[3] = {{230, 159, 0, 255}, {86, 180, 233, 255}, {0, 158, 115, 255}};
+constexpr Color title_color{150, 160, 175, 255};
 constexpr Color name_color{236, 239, 244, 255};
 constexpr Color notice_color{240, 228, 66, 255};
 
@@ -50,14 +51,15 @@ Camera camera_that_frames(const std::vector<Sphere>& spheres, const Eigen::Vecto
   return camera;
 }
 
-Label centred_label(const std::string& text, double height, const Color& color, const Eigen::Vector2d& position) {
-  Label label;
-  label.text = text;
-  label.position = position;
-  label.height = height;
-  label.color = color;
-  label.align = Align::center;
-  return label;
+Label label(const std::string& text, double height, const Color& color, const Eigen::Vector2d& position,
+            Align align = Align::center) {
+  Label result;
+  result.text = text;
+  result.position = position;
+  result.height = height;
+  result.color = color;
+  result.align = align;
+  return result;
 }
 
 double half_diagonal(const BookSetup& setup) { return 0.5 * setup.options.size.norm(); }
@@ -69,7 +71,7 @@ Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, double 
   std::vector<Sphere> spheres;
   for (std::size_t b = 0; b < scene.books.size(); ++b) {
     const BookSetup& setup = scene.books[b];
-    double farthest = setup.show_axes ? 1.45 : 1.0;  // the axes reach beyond the book
+    double farthest = setup.show_axes ? 1.75 : 1.0;  // the axes reach beyond the book
     for (int n = 0; n < scene.clip.frames; ++n) farthest = std::max(farthest, trajectory.books[b].shown(n).extent);
     spheres.push_back({setup.position_W, farthest * half_diagonal(setup)});
     if (!setup.name.empty()) {
@@ -82,6 +84,7 @@ Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, double 
 Shot Storyboard::shot(int frame) const {
   Shot shot;
   shot.camera = camera_;
+  shot.labels.push_back(label(scene_->title, 0.04, title_color, {0.03, 0.07}, Align::left));
   std::string notice;
   for (std::size_t b = 0; b < scene_->books.size(); ++b) {
     const BookSetup& setup = scene_->books[b];
@@ -91,7 +94,7 @@ Shot Storyboard::shot(int frame) const {
                           setup.style == Style::ghost ? BookStyle::ghost : BookStyle::solid});
     if (setup.show_axes) add_axes(shot, setup, now);
     if (!setup.name.empty()) {
-      Label name = centred_label(setup.name, 0.042, name_color, {0.0, 0.0});
+      Label name = label(setup.name, 0.042, name_color, {0.0, 0.0});
       name.anchor_W = setup.position_W - Eigen::Vector3d(0.0, name_offset * half_diagonal(setup), 0.0);
       shot.labels.push_back(name);
     }
@@ -101,7 +104,7 @@ Shot Storyboard::shot(int frame) const {
     }
   }
   if (!notice.empty()) {
-    shot.labels.push_back(centred_label(notice + ": the last frame before", 0.045, notice_color, {0.5, 0.94}));
+    shot.labels.push_back(label(notice + ": the last frame before", 0.045, notice_color, {0.5, 0.94}));
   }
   return shot;
 }
@@ -114,7 +117,7 @@ void Storyboard::add_axes(Shot& shot, const BookSetup& setup, const BookFrame& n
     const Eigen::Vector3d surface_W = F_WB.col(d) * (0.5 * setup.options.size(d));
     const Eigen::Vector3d tip_W = surface_W + F_WB.col(d).normalized() * reach;
     shot.arrows.push_back({setup.position_W - surface_W, setup.position_W + tip_W, axis_colors[d], 0.022 * half_diagonal(setup)});
-    Label name = centred_label(names[static_cast<std::size_t>(d)], 0.07, axis_colors[d], {0.0, 0.02});
+    Label name = label(names[static_cast<std::size_t>(d)], 0.07, axis_colors[d], {0.0, 0.02});
     name.weight = Weight::semibold;
     name.anchor_W = setup.position_W + tip_W + F_WB.col(d).normalized() * (0.14 * half_diagonal(setup));
     shot.labels.push_back(name);

@@ -1,4 +1,4 @@
-// Scene + Trajectory -> what each frame shows: camera, books, names, and the notice that a book has exploded.
+// Scene + Trajectory -> what each frame shows: title, camera, books, names, and the notice that a book has exploded.
 //
 // The camera stands still. It looks from the scene's direction at the middle of the books, from the distance at which the
 // whole motion of every book stays in view: the sphere about each book that its farthest corner touches in any frame shown.
