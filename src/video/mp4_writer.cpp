@@ -81,7 +81,7 @@ struct Mp4Writer::Film {
   AVStream* stream = nullptr;  // owned by the muxer
   std::int64_t frames = 0;
 
-  Film(const std::filesystem::path& name, const Settings& wanted);
+  Film(std::filesystem::path name, Settings wanted);
   void open_muxer();
   void open_encoder();
   void write_header();
@@ -91,8 +91,8 @@ struct Mp4Writer::Film {
   }
 };
 
-Mp4Writer::Film::Film(const std::filesystem::path& name, const Settings& wanted)
-    : file(name), part(name.string() + ".part"), settings(wanted) {
+Mp4Writer::Film::Film(std::filesystem::path name, Settings wanted)
+    : file(std::move(name)), part(file.string() + ".part"), settings(std::move(wanted)) {
   if (settings.width <= 0 || settings.height <= 0 || settings.width % 2 != 0 || settings.height % 2 != 0) {
     throw std::invalid_argument(file.string() + ": size " + size_text(settings.width, settings.height) +
                                 ": width and height of a film must be even and above 0");
