@@ -1,0 +1,26 @@
+// What a script expects of its film, judged on the simulated motion.
+//
+// at_least and at_most bind every frame of the range; rises_to and falls_to must be reached by some frame of it. A value that
+// is not a number, and a frame beyond the end of the film, break every bound.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+#include "scene/trajectory.h"
+
+namespace bookspin {
+
+struct Verdict {
+  std::string says;    // the expectation's words
+  bool met = false;
+  double found = 0.0;  // of all values in the range the one that decides: the smallest or the largest
+  int frame = 0;       // where it was found
+  std::string text;    // "tilt in frames 0 to 899: at most 2.31 (frame 411), allowed at most 5 degrees"
+};
+
+// One verdict a bound, in the scene's order.
+[[nodiscard]] std::vector<Verdict> judge(const Scene& scene, const Trajectory& trajectory);
+
+}  // namespace bookspin
