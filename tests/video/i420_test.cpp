@@ -11,6 +11,10 @@
 namespace bookspin {
 namespace {
 
+std::size_t index(int width, int x, int y) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+}
+
 struct Planes {
   int width;
   std::vector<std::uint8_t> y, cb, cr;
@@ -71,15 +75,15 @@ TEST(I420, ChromaIsSitedLeftAndBetweenTheRows) {
     const Image image = random_picture(width, height, generator);
     Planes planes(width, height);
     convert_to_i420(image, image.bounds(), planes.view());
-    const auto channel = [&, w = width](int x, int y, int i) {
-      return static_cast<double>(image.rgba[static_cast<std::size_t>(4 * (y * w + std::max(x, 0)) + i)]);
+    const auto channel = [&, w = width](int x, int y, std::size_t i) {
+      return static_cast<double>(image.rgba[4 * index(w, std::max(x, 0), y) + i]);
     };
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
         const Colour exact = bt709(channel(x, y, 0), channel(x, y, 1), channel(x, y, 2));
-        worst = std::max(worst, error_of(planes.y[static_cast<std::size_t>(y * width + x)], exact.y));
+        worst = std::max(worst, error_of(planes.y[index(width, x, y)], exact.y));
         if (x % 2 != 0 || y % 2 != 0) continue;
-        const auto mean = [&](int i) {
+        const auto mean = [&](std::size_t i) {
           double sum = 0;
           for (const int row : {y, y + 1}) {
             sum += channel(x - 1, row, i) + 2 * channel(x, row, i) + channel(x + 1, row, i);
@@ -87,7 +91,7 @@ TEST(I420, ChromaIsSitedLeftAndBetweenTheRows) {
           return sum / 8;
         };
         const Colour sample = bt709(mean(0), mean(1), mean(2));
-        const auto at = static_cast<std::size_t>(y / 2 * (width / 2) + x / 2);
+        const auto at = index(width / 2, x / 2, y / 2);
         worst = std::max({worst, error_of(planes.cb[at], sample.cb), error_of(planes.cr[at], sample.cr)});
       }
     }
@@ -109,8 +113,8 @@ TEST(I420, ChangedRectangleGivesTheWholePicture) {
         for (int h = 0; h <= height - y; ++h) {
           Image after = before;
           for (int row = y; row < y + h; ++row) {
-            for (int byte = 4 * x; byte < 4 * (x + w); ++byte) {
-              after.rgba[static_cast<std::size_t>(4 * width * row + byte)] ^= 0xff;
+            for (std::size_t byte = 4 * index(width, x, row); byte < 4 * index(width, x + w, row); ++byte) {
+              after.rgba[byte] ^= 0xff;
             }
           }
           Planes whole(width, height);

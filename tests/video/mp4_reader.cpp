@@ -60,7 +60,7 @@ struct Reader {
     check(avcodec_open2(decoder.get(), codec, nullptr), file, "open the decoder");
   }
 
-  std::int64_t in_frames(std::int64_t time) const {
+  [[nodiscard]] std::int64_t in_frames(std::int64_t time) const {
     return av_rescale_q(time, stream->time_base, av_inv_q(stream->avg_frame_rate));
   }
 };

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <thread>
@@ -80,10 +81,11 @@ TEST(Mp4Writer, FileSaysWhatPlayersNeed) {
 // A cut to another picture in the middle of a second makes no key frame of its own.
 TEST(Mp4Writer, KeyFramesFallOnWholeSecondsDespiteCuts) {
   const auto folder = empty_folder("cuts");
-  std::mt19937 generator(3);
-  Mp4Writer writer(folder / "film.mp4", {.width = 64, .height = 64, .fps = 20, .title = {}});
+  const MovingBox scene{128, 72};
+  Mp4Writer writer(folder / "film.mp4", {.width = 128, .height = 72, .fps = 20, .title = {}});
   for (int k = 0; k < 50; ++k) {
-    const Image picture = k % 7 == 0 ? random_picture(64, 64, generator) : flat_picture(64, 64, 20, 90, 200);
+    Image picture = scene.draw(k);
+    if (k / 15 % 2 == 1) std::reverse(picture.rgba.begin(), picture.rgba.end());
     writer.write(picture, picture.bounds());
   }
   writer.finish();

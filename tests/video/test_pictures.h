@@ -76,7 +76,7 @@ inline std::string bytes_of(const std::filesystem::path& file) {
 
 // An empty folder of this name in the build tree.
 inline std::filesystem::path empty_folder(const std::string& name) {
-  const std::filesystem::path folder = std::filesystem::path(BOOKSPIN_BINARY_DIR) / "tests" / "video" / name;
+  std::filesystem::path folder = std::filesystem::path(BOOKSPIN_BINARY_DIR) / "tests" / "video_films" / name;
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   return folder;
