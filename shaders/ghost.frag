@@ -1,8 +1,8 @@
 #version 330 core
-// The ghost: the book's picture as a pale tint that what lies behind shines through.
+// The ghost: the book's picture as a pale tint that what lies behind shines through. Encoded colours, as in book.frag.
 
 uniform sampler2D picture;
-uniform vec3 tint;      // linear
+uniform vec3 tint;
 uniform float opacity;
 
 in vec2 place;
@@ -11,6 +11,6 @@ in vec3 gloss;
 out vec4 color;
 
 void main() {
-  float grey = dot(texture(picture, place).rgb, vec3(0.2126, 0.7152, 0.0722));
-  color = vec4(tint * (0.25 + 0.75 * sqrt(grey)) * (0.35 + light) + gloss, opacity);
+  float grey = dot(texture(picture, place).rgb, vec3(0.3, 0.6, 0.1));
+  color = vec4(tint * (0.35 + 0.65 * grey) * light + gloss, opacity);
 }

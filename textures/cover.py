@@ -14,6 +14,7 @@ HERE = pathlib.Path(__file__).parent
 YELLOW, NAVY, CREAM, RED, PAPER = "#eeb32b", "#12294a", "#f7f0dd", "#c8401c", "#e9dfc6"
 SIZE = (1.878, 2.9085, 0.5)
 I = [SIZE[1]**2 + SIZE[2]**2, SIZE[0]**2 + SIZE[2]**2, SIZE[0]**2 + SIZE[1]**2]  # x: middle, y: smallest, z: largest
+SPACE = "\u2005"
 COVER_W, COVER_H, SPINE_W = 1773, 2908.5, 600
 FONT = 'font-family="Inter Display, Inter"'
 
@@ -78,7 +79,7 @@ def emblem(cx, cy, scale, line, paper, ink, accent):
             paths.append(run)
         return "".join(
             f'<path d="M{" L".join(f"{x:.1f} {y:.1f}" for x, y in p)}" fill="none" stroke="{stroke}" '
-            f'stroke-width="{width}" stroke-linecap="round" stroke-linejoin="round"/>\n' for p in paths if len(p) > 1)
+            f'stroke-width="{width}" stroke-linejoin="round"/>\n' for p in paths if len(p) > 1)
 
     # The outline: the ellipsoid's shadow is the ellipse of the inverse inertia seen in the picture plane.
     a = sum(rows[0][i]**2 / I[i] for i in range(3))
@@ -87,8 +88,8 @@ def emblem(cx, cy, scale, line, paper, ink, accent):
     mean, spread = (a + d) / 2, math.hypot((a - d) / 2, b)
     angle = -math.degrees(math.atan2(2 * b, a - d) / 2)
     r1, r2 = scale * math.sqrt(mean + spread), scale * math.sqrt(mean - spread)
-    out = [f'<ellipse rx="{r1:.1f}" ry="{r2:.1f}" transform="translate({cx} {cy}) rotate({angle:.2f})" '
-           f'fill="{paper}" stroke="{ink}" stroke-width="{1.5 * line}"/>\n']
+    ellipse = f'<ellipse rx="{r1:.1f}" ry="{r2:.1f}" transform="translate({cx} {cy}) rotate({angle:.2f})"'
+    out = [f'{ellipse} fill="{paper}"/>\n']
     for axis, inner, count in ((2, I[2], 5), (1, I[1], 6)):
         for k in range(1, count):
             # Evenly spaced in the angle from the circled axis, not in L^2.
@@ -97,6 +98,7 @@ def emblem(cx, cy, scale, line, paper, ink, accent):
                 out.append(visible_paths(polhode(L2, sign), ink, line))
     for sign in (1, -1):
         out.append(visible_paths(separatrix(sign), accent, 2.3 * line))
+    out.append(f'{ellipse} fill="none" stroke="{ink}" stroke-width="{1.7 * line}"/>\n')
     for axis in range(3):  # where the axes come out
         w = [0.0, 0.0, 0.0]
         w[axis] = 1 / math.sqrt(I[axis])
@@ -118,8 +120,9 @@ def front():
 
 
 def back():
-    sub = lambda n: f'<tspan dy="42" font-size="120">{n}</tspan><tspan dy="-42" font-size="10"> </tspan>'
-    line = lambda a, b, c: (f'I{sub(a)} ω̇{sub(a)} = (I{sub(b)} − I{sub(c)}) ω{sub(b)} ω{sub(c)}')
+    sub = lambda n, gap: (f'<tspan dx="8" dy="44" font-size="118">{n}</tspan><tspan dy="-44" dx="{gap}" '
+                          f'font-size="190">\u200b</tspan>')
+    line = lambda a, b, c: (f'I{sub(a, 10)}ω̇{sub(a, 52)}={SPACE}(I{sub(b, 44)}−{SPACE}I{sub(c, 4)}){SPACE}ω{sub(b, 8)}ω{sub(c, 0)}')
     rows = [line("x", "y", "z"), line("y", "z", "x"), line("z", "x", "y")]
     body = [f'<rect x="0" y="0" width="{COVER_W}" height="{COVER_H}" fill="{NAVY}"/>']
     for i, row in enumerate(rows):
@@ -132,10 +135,10 @@ def back():
 
 
 def spine():
-    body = [f'<rect x="0" y="330" width="{SPINE_W}" height="24" fill="{YELLOW}"/>',
-            f'<rect x="0" y="{COVER_H - 354}" width="{SPINE_W}" height="24" fill="{YELLOW}"/>',
+    body = [f'<rect x="0" y="290" width="{SPINE_W}" height="24" fill="{YELLOW}"/>',
+            f'<rect x="0" y="{COVER_H - 314}" width="{SPINE_W}" height="24" fill="{YELLOW}"/>',
             f'<text transform="translate(232 {COVER_H / 2}) rotate(90)" text-anchor="middle" {FONT} font-weight="700" '
-            f'font-size="208" fill="{YELLOW}">Classical Mechanics</text>']
+            f'font-size="196" fill="{YELLOW}">Classical Mechanics</text>']
     svg("spine", SPINE_W, COVER_H, (256, 1536), "\n".join(body), NAVY)
 
 
