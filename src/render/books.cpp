@@ -11,8 +11,8 @@
 namespace bookspin {
 namespace {
 
-constexpr Color ghost_tint{120, 205, 255, 255};
-constexpr float ghost_opacity = 0.42F;
+constexpr Color ghost_tint{190, 228, 255, 255};
+constexpr float ghost_opacity = 0.40F;
 
 // Mipmapped and trilinear. The smaller pictures are averaged in linear light, by a texture that OpenGL knows to be sRGB; the one
 // that is drawn holds the same bytes as plain numbers (see book.frag).
