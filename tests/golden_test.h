@@ -15,6 +15,7 @@ namespace bookspin {
 
 struct GoldenTolerance {
   int max_delta = 32;       // levels; llvmpipe on SSE2 alone differs by up to 6
+  double mean_delta = 0.1;  // levels
   int threshold = 8;        // levels; a pixel further off counts as failing
   double share = 0.0005;    // of failing pixels that is still the same picture
 };

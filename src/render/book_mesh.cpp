@@ -16,10 +16,10 @@ constexpr double bulge = 0.105 / width;           // depth of the spine's round
 constexpr double groove_width = 0.085 / width;    // the hinge beside the spine
 constexpr double groove_depth = 0.020 / thickness;
 constexpr double fore_edge_hollow = 0.045 / width;
-constexpr int rows = 8;                           // divisions along v
-constexpr int spine_steps = 12;
-constexpr int groove_steps = 6;
-constexpr int cover_steps = 6;
+constexpr int rows = 4;  // divisions along v: each triangle costs over a microsecond a frame
+constexpr int spine_steps = 8;
+constexpr int groove_steps = 4;
+constexpr int cover_steps = 3;
 
 struct Point {
   double u, w;
@@ -175,7 +175,7 @@ void add_spine(Builder& builder) {
 // The pages end a little inside the boards; towards the spine they follow its round. Texture s runs along the edge, t across the
 // leaves, so that the lines of the paper lie in the plane of the covers.
 void add_pages(Builder& builder) {
-  constexpr int across = 8;
+  constexpr int across = 6;
   const double v0 = overhang_y, v1 = 1 - overhang_y, end = 1 - overhang_x;
   const auto w_at = [](int i) { return board + (1 - 2 * board) * i / across; };
   const auto hollow = [&](double w) { return fore_edge_hollow * std::sqrt(1 - std::pow(2 * w - 1, 2)); };
@@ -187,7 +187,7 @@ void add_pages(Builder& builder) {
   });
   const double round = bulge - shell;
   for (const bool top : {true, false}) {
-    constexpr int along = 12;
+    constexpr int along = 4;
     builder.grid(BookPart::pages, along + 1, across + 1, [&](int column, int row) {
       const double w = w_at(top ? across - row : row);
       const double span = std::sqrt(std::max(0.0, 1 - std::pow((w - 0.5) / (0.5 - board), 2)));
@@ -209,7 +209,7 @@ BookMesh hardcover() {
 }
 
 BookMesh cuboid() {
-  constexpr int n = 8;
+  constexpr int n = 4;
   Builder builder;
   const auto at = [](int i) { return static_cast<double>(i) / n; };
   builder.grid(BookPart::front, n + 1, n + 1, [&](int c, int r) {

@@ -1,25 +1,41 @@
 #include "render/books.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cstddef>
+#include <vector>
 
 #include "image/png.h"
-#include "render/linear_color.h"
+#include "render/gl_color.h"
 
 namespace bookspin {
 namespace {
 
-constexpr Color ghost_tint{120, 205, 255, 255};
-constexpr float ghost_opacity = 0.42F;
+constexpr Color ghost_tint{190, 228, 255, 255};
+constexpr float ghost_opacity = 0.40F;
 
-// Mipmapped and trilinear: the smaller pictures are averaged in linear light.
+// Mipmapped and trilinear. The smaller pictures are averaged in linear light, by a texture that OpenGL knows to be sRGB; the one
+// that is drawn holds the same bytes as plain numbers (see book.frag).
 Handle upload_texture(const GladGLContext& gl, const std::filesystem::path& file) {
   const Image image = read_png(file);
-  Handle texture = make_texture(gl);
-  gl.BindTexture(GL_TEXTURE_2D, texture.id());
+  const Handle averaged = make_texture(gl);
+  gl.BindTexture(GL_TEXTURE_2D, averaged.id());
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                 image.rgba.data());
   gl.GenerateMipmap(GL_TEXTURE_2D);
+  std::vector<Image> levels{image};
+  while (levels.back().width > 1 || levels.back().height > 1) {
+    Image level(std::max(1, levels.back().width / 2), std::max(1, levels.back().height / 2));
+    gl.GetTexImage(GL_TEXTURE_2D, static_cast<GLint>(levels.size()), GL_RGBA, GL_UNSIGNED_BYTE, level.rgba.data());
+    levels.push_back(std::move(level));
+  }
+
+  Handle texture = make_texture(gl);
+  gl.BindTexture(GL_TEXTURE_2D, texture.id());
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    gl.TexImage2D(GL_TEXTURE_2D, static_cast<GLint>(i), GL_RGBA8, levels[i].width, levels[i].height, 0, GL_RGBA,
+                  GL_UNSIGNED_BYTE, levels[i].rgba.data());
+  }
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -56,7 +72,7 @@ BookPainter::BookPainter(const GladGLContext& gl, const std::filesystem::path& a
     textures_[i] = upload_texture(gl, assets / "textures" / names[i]);
   }
   ghost_.use();
-  const std::array<float, 4> tint = linear(ghost_tint);
+  const std::array<float, 4> tint = gl_color(ghost_tint);
   gl.Uniform3fv(ghost_.uniform("tint"), 1, tint.data());
   gl.Uniform1f(ghost_.uniform("opacity"), ghost_opacity);
 }

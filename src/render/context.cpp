@@ -13,6 +13,8 @@
 #include <stdexcept>
 #include <variant>
 
+#include "render/renderer.h"
+
 namespace bookspin {
 namespace {
 

@@ -14,11 +14,11 @@
 
 namespace bookspin {
 
-enum class ContextKind { any, osmesa, egl };
+enum class ContextKind;  // in renderer.h
 
 class Context {
  public:
-  explicit Context(ContextKind kind = ContextKind::any);
+  explicit Context(ContextKind kind);
   ~Context();
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;

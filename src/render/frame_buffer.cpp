@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "render/linear_color.h"
+#include "render/gl_color.h"
 
 namespace bookspin {
 namespace {
@@ -30,10 +30,10 @@ void check_complete(const GladGLContext& gl, const char* what) {
 FrameBuffer::FrameBuffer(const GladGLContext& gl, int width, int height)
     : gl_(&gl),
       samples_(make_framebuffer(gl)),
-      sample_color_(storage(gl, samples, GL_SRGB8_ALPHA8, width, height)),
+      sample_color_(storage(gl, samples, GL_RGBA8, width, height)),
       sample_depth_(storage(gl, samples, GL_DEPTH_COMPONENT24, width, height)),
       pixels_(make_framebuffer(gl)),
-      pixel_color_(storage(gl, 0, GL_SRGB8_ALPHA8, width, height)) {
+      pixel_color_(storage(gl, 0, GL_RGBA8, width, height)) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, pixels_.id());
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, pixel_color_.id());
   check_complete(gl, "resolved");
@@ -43,7 +43,6 @@ FrameBuffer::FrameBuffer(const GladGLContext& gl, int width, int height)
   check_complete(gl, "multisample");
 
   gl.Viewport(0, 0, width, height);
-  gl.Enable(GL_FRAMEBUFFER_SRGB);
   gl.Enable(GL_SCISSOR_TEST);
   gl.FrontFace(GL_CW);  // y runs down
   gl.CullFace(GL_BACK);
@@ -55,7 +54,7 @@ FrameBuffer::FrameBuffer(const GladGLContext& gl, int width, int height)
 void FrameBuffer::begin(const Rect& area, const Color& background) {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, samples_.id());
   gl_->Scissor(area.x, area.y, area.width, area.height);
-  const std::array<float, 4> color = linear(background);
+  const std::array<float, 4> color = gl_color(background);
   gl_->ClearColor(color[0], color[1], color[2], 1);
   gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/linear_color.h"
+#include "render/gl_color.h"
 
 namespace bookspin {
 namespace {
@@ -35,7 +35,7 @@ std::vector<float> arrow_triangles(const Arrow& arrow) {
   const Eigen::Vector3d axis = (arrow.to_W - arrow.from_W) / shape.length;
   const Eigen::Vector3d right = axis.unitOrthogonal();
   const Eigen::Vector3d up = axis.cross(right);
-  const std::array<float, 4> color = linear(arrow.color);
+  const std::array<float, 4> color = gl_color(arrow.color);
 
   struct Ring {
     double along, radius;
@@ -88,7 +88,7 @@ void push_line(std::vector<float>& out, const View& view, int width, int height,
   const Eigen::Vector2d along = (b_px - a_px) / length;
   const Eigen::Vector2d across = (line.width_px / 2 * Eigen::Vector2d(-along.y(), along.x())).cwiseQuotient(half_frame);
 
-  const std::array<float, 4> color = linear(line.color);
+  const std::array<float, 4> color = gl_color(line.color);
   const auto vertex = [&](const Eigen::Vector4d& end, double side) {
     Eigen::Vector4d clip = end;
     clip.head<2>() += side * end.w() * across;

@@ -70,8 +70,9 @@ struct Renderer::Parts {
   Footprint footprint;
   Rect changed;
 
-  Parts(int width, int height, const std::filesystem::path& assets)
-      : frame_buffer(context.gl(), width, height),
+  Parts(int width, int height, const std::filesystem::path& assets, ContextKind kind)
+      : context(kind),
+        frame_buffer(context.gl(), width, height),
         books(context.gl(), assets),
         overlays(context.gl(), assets),
         scene(width, height),
@@ -170,9 +171,9 @@ void Renderer::Parts::draw(const Shot& next) {
   shot = next;
 }
 
-Renderer::Renderer(int width, int height, const std::filesystem::path& assets) {
+Renderer::Renderer(int width, int height, const std::filesystem::path& assets, ContextKind kind) {
   assert(width > 0 && height > 0);
-  parts_ = std::make_unique<Parts>(width, height, assets);
+  parts_ = std::make_unique<Parts>(width, height, assets, kind);
 }
 
 Renderer::~Renderer() = default;

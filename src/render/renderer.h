@@ -15,9 +15,11 @@
 
 namespace bookspin {
 
+enum class ContextKind { any, osmesa, egl };  // whose OpenGL; any: OSMesa's, else EGL's
+
 class Renderer {
  public:
-  Renderer(int width, int height, const std::filesystem::path& assets);
+  Renderer(int width, int height, const std::filesystem::path& assets, ContextKind kind = ContextKind::any);
   ~Renderer();
   Renderer(Renderer&&) = delete;
   Renderer& operator=(Renderer&&) = delete;
