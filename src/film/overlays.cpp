@@ -106,8 +106,8 @@ void add_overlays(Shot& shot, const BookSetup& setup, const BookTrack& track, in
   const BookFrame& start = track.frames.front();
   if (setup.show.axes) add_axes(shot, setup, now);
   if (setup.show.angular_velocity) {
-    add_arrow(shot, setup, angular_velocity_of(setup, now), angular_velocity_of(setup, start).norm(), palette::sky,
-              "ω");
+    add_arrow(shot, setup, angular_velocity_of(setup, now), angular_velocity_of(setup, start).norm(), palette::sky, "ω",
+              -0.01);  // the two often point the same way: one name above, one below
   }
   if (setup.show.angular_momentum) add_arrow(shot, setup, now.L_W, start.L_W.norm(), palette::purple, "L", 0.045);
   if (setup.show.trace) add_trace(shot, setup, track, frame);
