@@ -74,13 +74,14 @@ class Builder {
   BookMesh mesh;
 };
 
-// The front cover's outside from the spine to the fore-edge: the hinge's groove, then flat.
+// The front cover's outside from the spine to the fore-edge: the hinge's groove, then flat. The groove is in the normals alone: so
+// shallow, it is seen by its shading, and the hull stays convex.
 Profile front_outside() {
   Profile profile;
   for (int i = 0; i <= groove_steps; ++i) {
     const double phase = 2 * std::numbers::pi * i / groove_steps;
     const double slope = groove_depth * std::numbers::pi / groove_width * std::sin(phase);  // -dw/du
-    profile.points.push_back({bulge + groove_width * i / groove_steps, 1 - groove_depth * (1 - std::cos(phase)) / 2});
+    profile.points.push_back({bulge + groove_width * i / groove_steps, 1});
     profile.normals.push_back({slope, 1});
   }
   const double start = bulge + groove_width;
@@ -148,14 +149,27 @@ void add_boards(Builder& builder) {
       const double w = (column == 0) == is_front ? outer_w : inner_w;
       return Vertex{1, v, w, 1, 0, 0, s, 1 - v, 0.9};
     });
-    // The inside of the board, seen only where it stands out over the pages: in their shade.
+  }
+}
+
+// The insides of the boards and the spine, lined with paper, seen only where they stand out over the pages: in the shade.
+void add_insides(Builder& builder) {
+  for (const bool is_front : {true, false}) {
+    const double w = is_front ? 1 - board : board;
     const double nw = is_front ? -1 : 1;
-    builder.grid(part, 2, rows + 1, [&](int column, int row) {
-      const double v = static_cast<double>(row) / rows;
+    builder.grid(BookPart::pages, 2, rows + 1, [&](int column, int row) {
       const double u = (column == 0) == is_front ? 1.0 : bulge;
-      return Vertex{u, v, inner_w, 0, 0, nw, s, 1 - v, 0.55};
+      return Vertex{u, static_cast<double>(row) / rows, w, 0, 0, nw, 0.5, 0.5, 0.16};
     });
   }
+  const Profile inside = spine(shell, board);
+  Profile facing_in;
+  for (std::size_t i = inside.points.size(); i-- > 0;) {
+    facing_in.points.push_back(inside.points[i]);
+    facing_in.normals.push_back({-inside.normals[i].u, -inside.normals[i].w});
+    facing_in.texture.push_back(0.5);
+  }
+  builder.extrude(BookPart::pages, facing_in, 0, 1, 1, 0.14);
 }
 
 void add_spine(Builder& builder) {
@@ -163,13 +177,6 @@ void add_spine(Builder& builder) {
   const Profile inside = spine(shell, board);
   builder.extrude(BookPart::spine, outside, 0, 1, rows);
   add_rims(builder, BookPart::spine, outside, inside.points);
-  Profile facing_in;
-  for (std::size_t i = inside.points.size(); i-- > 0;) {
-    facing_in.points.push_back(inside.points[i]);
-    facing_in.normals.push_back({-inside.normals[i].u, -inside.normals[i].w});
-    facing_in.texture.push_back(inside.texture[i]);
-  }
-  builder.extrude(BookPart::spine, facing_in, 0, 1, rows, 0.45);
 }
 
 // The pages end a little inside the boards; towards the spine they follow its round. Texture s runs along the edge, t across the
@@ -202,9 +209,10 @@ void add_pages(Builder& builder) {
 
 BookMesh hardcover() {
   Builder builder;
+  add_insides(builder);
+  add_pages(builder);
   add_boards(builder);
   add_spine(builder);
-  add_pages(builder);
   return std::move(builder.mesh);
 }
 

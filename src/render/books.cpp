@@ -59,6 +59,18 @@ bool keeps_orientation(const Corners& corners) {
 
 }  // namespace
 
+bool is_unbent(const Corners& corners) {
+  constexpr double allowed = 0.03;  // of the longest edge
+  Eigen::Matrix3d edges;
+  for (int d = 0; d < 3; ++d) edges.col(d) = corners.col(1 << d) - corners.col(0);
+  double bend = 0;
+  for (const int i : {3, 5, 6, 7}) {
+    const Eigen::Vector3d affine = corners.col(0) + edges * Eigen::Vector3d(i & 1, (i >> 1) & 1, (i >> 2) & 1);
+    bend = std::max(bend, (corners.col(i) - affine).norm());
+  }
+  return bend <= allowed * edges.colwise().norm().maxCoeff() && keeps_orientation(corners);
+}
+
 BookPainter::BookPainter(const GladGLContext& gl, const std::filesystem::path& assets)
     : gl_(&gl),
       solid_(gl, assets / "shaders" / "book.vert", assets / "shaders" / "book.frag"),
@@ -67,7 +79,7 @@ BookPainter::BookPainter(const GladGLContext& gl, const std::filesystem::path& a
       ghost_uniforms_(find_uniforms(ghost_)),
       hardcover_(upload(gl, hardcover())),
       cuboid_(upload(gl, cuboid())) {
-  const std::array<const char*, book_part_count> names{"front.png", "back.png", "spine.png", "pages.png"};
+  const std::array<const char*, book_part_count> names{"pages.png", "front.png", "back.png", "spine.png"};
   for (std::size_t i = 0; i < book_part_count; ++i) {
     textures_[i] = upload_texture(gl, assets / "textures" / names[i]);
   }
@@ -108,9 +120,13 @@ BookPainter::Mesh BookPainter::upload(const GladGLContext& gl, const BookMesh& m
   return result;
 }
 
-void BookPainter::draw_solid(const View& view, const Corners& corners_W) {
+void BookPainter::draw_solid(const View& view, const Corners& corners_W, bool with_depth) {
   solid_.use();
-  gl_->Enable(GL_DEPTH_TEST);
+  if (with_depth) {
+    gl_->Enable(GL_DEPTH_TEST);
+  } else {
+    gl_->Disable(GL_DEPTH_TEST);
+  }
   draw(view, corners_W, hardcover_, solid_uniforms_);
 }
 

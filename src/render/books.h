@@ -15,11 +15,15 @@
 
 namespace bookspin {
 
+// Whether the map of the corners is so nearly affine, and keeps its orientation, that the book looks convex from everywhere.
+bool is_unbent(const Corners& corners);
+
 class BookPainter {
  public:
   BookPainter(const GladGLContext& gl, const std::filesystem::path& assets);
 
-  void draw_solid(const View& view, const Corners& corners_W);
+  // Without depth the book is drawn over what is there; that is right for a book that is not bent (see is_unbent).
+  void draw_solid(const View& view, const Corners& corners_W, bool with_depth);
   void draw_ghost(const View& view, const Corners& corners_W);  // one translucent layer over what is there, whatever its depth
 
  private:

@@ -51,12 +51,12 @@ FrameBuffer::FrameBuffer(const GladGLContext& gl, int width, int height)
   gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
 }
 
-void FrameBuffer::begin(const Rect& area, const Color& background) {
+void FrameBuffer::begin(const Rect& area, const Color& background, bool with_depth) {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, samples_.id());
   gl_->Scissor(area.x, area.y, area.width, area.height);
   const std::array<float, 4> color = gl_color(background);
   gl_->ClearColor(color[0], color[1], color[2], 1);
-  gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  gl_->Clear(with_depth ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT);
 }
 
 void FrameBuffer::read(const Rect& area, Image& image) {
