@@ -8,12 +8,12 @@ namespace bookspin {
 namespace {
 
 constexpr double width = 1.878, height = 2.9085, thickness = 0.5;
-constexpr double overhang_x = 0.05 / width;       // boards stand out over the pages
+constexpr double overhang_x = 0.05 / width;  // boards stand out over the pages
 constexpr double overhang_y = 0.05 / height;
-constexpr double board = 0.042 / thickness;       // thickness of a board
-constexpr double shell = 0.030 / width;           // thickness of the spine
-constexpr double bulge = 0.105 / width;           // depth of the spine's round
-constexpr double groove_width = 0.085 / width;    // the hinge beside the spine
+constexpr double board = 0.042 / thickness;     // thickness of a board
+constexpr double shell = 0.030 / width;         // thickness of the spine
+constexpr double bulge = 0.105 / width;         // depth of the spine's round
+constexpr double groove_width = 0.085 / width;  // the hinge beside the spine
 constexpr double groove_depth = 0.020 / thickness;
 constexpr double fore_edge_hollow = 0.045 / width;
 constexpr int rows = 4;  // divisions along v: each triangle costs over a microsecond a frame
@@ -38,7 +38,8 @@ struct Vertex {
 
 class Builder {
  public:
-  // A grid of columns x rows vertices; position (column, row) -> vertex. Columns run right and rows up seen from outside.
+  // A grid of columns x rows vertices; position (column, row) -> vertex. Columns run right and rows up seen from
+  // outside.
   void grid(BookPart part, int columns, int row_count, const std::function<Vertex(int, int)>& vertex) {
     const std::size_t first = mesh.vertices.size();
     for (int row = 0; row < row_count; ++row) {
@@ -66,16 +67,17 @@ class Builder {
     grid(part, static_cast<int>(profile.points.size()), row_count + 1, [&](int column, int row) {
       const auto i = static_cast<std::size_t>(column);
       const double v = v0 + (v1 - v0) * row / row_count;
-      return Vertex{profile.points[i].u,  v, profile.points[i].w,      profile.normals[i].u, 0,
-                    profile.normals[i].w, profile.texture[i], 1 - v, shade};
+      return Vertex{profile.points[i].u,  v,     profile.points[i].w,
+                    profile.normals[i].u, 0,     profile.normals[i].w,
+                    profile.texture[i],   1 - v, shade};
     });
   }
 
   BookMesh mesh;
 };
 
-// The front cover's outside from the spine to the fore-edge: the hinge's groove, then flat. The groove is in the normals alone: so
-// shallow, it is seen by its shading, and the hull stays convex.
+// The front cover's outside from the spine to the fore-edge: the hinge's groove, then flat. The groove is in the
+// normals alone: so shallow, it is seen by its shading, and the hull stays convex.
 Profile front_outside() {
   Profile profile;
   for (int i = 0; i <= groove_steps; ++i) {
@@ -152,7 +154,8 @@ void add_boards(Builder& builder) {
   }
 }
 
-// The insides of the boards and the spine, lined with paper, seen only where they stand out over the pages: in the shade.
+// The insides of the boards and the spine, lined with paper, seen only where they stand out over the pages: in the
+// shade.
 void add_insides(Builder& builder) {
   for (const bool is_front : {true, false}) {
     const double w = is_front ? 1 - board : board;
@@ -179,19 +182,20 @@ void add_spine(Builder& builder) {
   add_rims(builder, BookPart::spine, outside, inside.points);
 }
 
-// The pages end a little inside the boards; towards the spine they follow its round. Texture s runs along the edge, t across the
-// leaves, so that the lines of the paper lie in the plane of the covers.
+// The pages end a little inside the boards; towards the spine they follow its round. Texture s runs along the edge, t
+// across the leaves, so that the lines of the paper lie in the plane of the covers.
 void add_pages(Builder& builder) {
   constexpr int across = 6;
   const double v0 = overhang_y, v1 = 1 - overhang_y, end = 1 - overhang_x;
   const auto w_at = [](int i) { return board + (1 - 2 * board) * i / across; };
   const auto hollow = [&](double w) { return fore_edge_hollow * std::sqrt(1 - std::pow(2 * w - 1, 2)); };
-  builder.grid(BookPart::pages, across + 1, rows + 1, [&](int column, int row) {  // fore-edge, seen from +x: right is -w
-    const double w = w_at(across - column);
-    const double v = v0 + (v1 - v0) * row / rows;
-    const double tilt = fore_edge_hollow * 2 * (2 * w - 1) / std::sqrt(1 - std::pow(2 * w - 1, 2));
-    return Vertex{end - hollow(w), v, w, 1, 0, -tilt, v, w, 1};
-  });
+  builder.grid(BookPart::pages, across + 1, rows + 1,
+               [&](int column, int row) {  // fore-edge, seen from +x: right is -w
+                 const double w = w_at(across - column);
+                 const double v = v0 + (v1 - v0) * row / rows;
+                 const double tilt = fore_edge_hollow * 2 * (2 * w - 1) / std::sqrt(1 - std::pow(2 * w - 1, 2));
+                 return Vertex{end - hollow(w), v, w, 1, 0, -tilt, v, w, 1};
+               });
   const double round = bulge - shell;
   for (const bool top : {true, false}) {
     constexpr int along = 4;
@@ -220,24 +224,18 @@ BookMesh cuboid() {
   constexpr int n = 4;
   Builder builder;
   const auto at = [](int i) { return static_cast<double>(i) / n; };
-  builder.grid(BookPart::front, n + 1, n + 1, [&](int c, int r) {
-    return Vertex{at(c), at(r), 1, 0, 0, 1, at(c), 1 - at(r)};
-  });
-  builder.grid(BookPart::back, n + 1, n + 1, [&](int c, int r) {
-    return Vertex{1 - at(c), at(r), 0, 0, 0, -1, at(c), 1 - at(r)};
-  });
-  builder.grid(BookPart::spine, n + 1, n + 1, [&](int c, int r) {
-    return Vertex{0, at(r), at(c), -1, 0, 0, at(c), 1 - at(r)};
-  });
-  builder.grid(BookPart::pages, n + 1, n + 1, [&](int c, int r) {
-    return Vertex{1, at(r), 1 - at(c), 1, 0, 0, at(r), 1 - at(c)};
-  });
-  builder.grid(BookPart::pages, n + 1, n + 1, [&](int c, int r) {
-    return Vertex{at(c), 1, 1 - at(r), 0, 1, 0, at(c), 1 - at(r)};
-  });
-  builder.grid(BookPart::pages, n + 1, n + 1, [&](int c, int r) {
-    return Vertex{at(c), 0, at(r), 0, -1, 0, at(c), at(r)};
-  });
+  builder.grid(BookPart::front, n + 1, n + 1,
+               [&](int c, int r) { return Vertex{at(c), at(r), 1, 0, 0, 1, at(c), 1 - at(r)}; });
+  builder.grid(BookPart::back, n + 1, n + 1,
+               [&](int c, int r) { return Vertex{1 - at(c), at(r), 0, 0, 0, -1, at(c), 1 - at(r)}; });
+  builder.grid(BookPart::spine, n + 1, n + 1,
+               [&](int c, int r) { return Vertex{0, at(r), at(c), -1, 0, 0, at(c), 1 - at(r)}; });
+  builder.grid(BookPart::pages, n + 1, n + 1,
+               [&](int c, int r) { return Vertex{1, at(r), 1 - at(c), 1, 0, 0, at(r), 1 - at(c)}; });
+  builder.grid(BookPart::pages, n + 1, n + 1,
+               [&](int c, int r) { return Vertex{at(c), 1, 1 - at(r), 0, 1, 0, at(c), 1 - at(r)}; });
+  builder.grid(BookPart::pages, n + 1, n + 1,
+               [&](int c, int r) { return Vertex{at(c), 0, at(r), 0, -1, 0, at(c), at(r)}; });
   return std::move(builder.mesh);
 }
 

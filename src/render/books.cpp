@@ -14,8 +14,8 @@ namespace {
 constexpr Color ghost_tint{190, 228, 255, 255};
 constexpr float ghost_opacity = 0.40F;
 
-// Mipmapped and trilinear. The smaller pictures are averaged in linear light, by a texture that OpenGL knows to be sRGB; the one
-// that is drawn holds the same bytes as plain numbers (see book.frag).
+// Mipmapped and trilinear. The smaller pictures are averaged in linear light, by a texture that OpenGL knows to be
+// sRGB; the one that is drawn holds the same bytes as plain numbers (see book.frag).
 Handle upload_texture(const GladGLContext& gl, const std::filesystem::path& file) {
   const Image image = read_png(file);
   const Handle averaged = make_texture(gl);
@@ -43,8 +43,8 @@ Handle upload_texture(const GladGLContext& gl, const std::filesystem::path& file
   return texture;
 }
 
-// The winding seen on the screen holds only where the map keeps its orientation: everywhere, if it does so at the corners of a book
-// that is not badly bent. Otherwise depth alone decides what is seen.
+// The winding seen on the screen holds only where the map keeps its orientation: everywhere, if it does so at the
+// corners of a book that is not badly bent. Otherwise depth alone decides what is seen.
 bool keeps_orientation(const Corners& corners) {
   for (int i = 0; i < 8; ++i) {
     Eigen::Matrix3d derivative;
@@ -101,7 +101,7 @@ BookPainter::Mesh BookPainter::upload(const GladGLContext& gl, const BookMesh& m
                 mesh.vertices.data(), GL_STATIC_DRAW);
   const auto attribute = [&](GLuint location, GLint size, std::size_t offset) {
     gl.EnableVertexAttribArray(location);
-    gl.VertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, sizeof(BookVertex), reinterpret_cast<const void*>(offset));
+    gl.VertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, sizeof(BookVertex), buffer_offset(offset));
   };
   attribute(0, 3, offsetof(BookVertex, position));
   attribute(1, 3, offsetof(BookVertex, normal));
@@ -110,13 +110,12 @@ BookPainter::Mesh BookPainter::upload(const GladGLContext& gl, const BookMesh& m
 
   std::vector<std::uint16_t> indices;
   for (std::size_t i = 0; i < book_part_count; ++i) {
-    result.parts[i] = {static_cast<GLsizei>(mesh.triangles[i].size()),
-                       static_cast<GLintptr>(indices.size() * sizeof(std::uint16_t))};
+    result.parts[i] = {static_cast<GLsizei>(mesh.triangles[i].size()), indices.size() * sizeof(std::uint16_t)};
     indices.insert(indices.end(), mesh.triangles[i].begin(), mesh.triangles[i].end());
   }
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, result.indices.id());
-  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint16_t)), indices.data(),
-                GL_STATIC_DRAW);
+  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint16_t)),
+                indices.data(), GL_STATIC_DRAW);
   return result;
 }
 
@@ -131,8 +130,8 @@ void BookPainter::draw_solid(const View& view, const Corners& corners_W, bool wi
 }
 
 void BookPainter::draw_ghost(const View& view, const Corners& corners_W) {
-  // A cuboid's front faces never hide one another, so culling gives a single layer without looking at depth, and a ghost that
-  // coincides with its solid book does not fight with it.
+  // A cuboid's front faces never hide one another, so culling gives a single layer without looking at depth, and a
+  // ghost that coincides with its solid book does not fight with it.
   ghost_.use();
   gl_->Disable(GL_DEPTH_TEST);
   gl_->Enable(GL_BLEND);
@@ -156,8 +155,7 @@ void BookPainter::draw(const View& view, const Corners& corners_W, const Mesh& m
   gl_->BindVertexArray(mesh.vertex_array.id());
   for (std::size_t i = 0; i < book_part_count; ++i) {
     gl_->BindTexture(GL_TEXTURE_2D, textures_[i].id());
-    gl_->DrawElements(GL_TRIANGLES, mesh.parts[i].indices, GL_UNSIGNED_SHORT,
-                      reinterpret_cast<const void*>(mesh.parts[i].first_byte));
+    gl_->DrawElements(GL_TRIANGLES, mesh.parts[i].indices, GL_UNSIGNED_SHORT, buffer_offset(mesh.parts[i].first_byte));
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <filesystem>
 
 #include "dynamics/corners.h"
@@ -15,7 +16,8 @@
 
 namespace bookspin {
 
-// Whether the map of the corners is so nearly affine, and keeps its orientation, that the book looks convex from everywhere.
+// Whether the map of the corners is so nearly affine, and keeps its orientation, that the book looks convex from
+// everywhere.
 bool is_unbent(const Corners& corners);
 
 class BookPainter {
@@ -24,12 +26,13 @@ class BookPainter {
 
   // Without depth the book is drawn over what is there; that is right for a book that is not bent (see is_unbent).
   void draw_solid(const View& view, const Corners& corners_W, bool with_depth);
-  void draw_ghost(const View& view, const Corners& corners_W);  // one translucent layer over what is there, whatever its depth
+  void draw_ghost(const View& view,
+                  const Corners& corners_W);  // one translucent layer over what is there, whatever its depth
 
  private:
   struct Part {
     GLsizei indices;
-    GLintptr first_byte;
+    std::size_t first_byte;
   };
   struct Mesh {
     Handle vertex_array, vertices, indices;

@@ -65,9 +65,7 @@ void FrameBuffer::read(const Rect& area, Image& image) {
   gl_->BlitFramebuffer(area.x, area.y, x1, y1, area.x, area.y, x1, y1, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, pixels_.id());
   gl_->PixelStorei(GL_PACK_ROW_LENGTH, image.width);
-  const std::size_t first = 4 * (static_cast<std::size_t>(area.y) * static_cast<std::size_t>(image.width) +
-                                 static_cast<std::size_t>(area.x));
-  gl_->ReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data() + first);
+  gl_->ReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixel(area.x, area.y));
 }
 
 }  // namespace bookspin

@@ -18,8 +18,8 @@
 namespace bookspin {
 namespace {
 
-constexpr int tile = 16;             // pixels: the software renderer works in tiles, and a part of one costs all of it
-constexpr double margin_px = 2;      // what rounding in single precision may move, and a pixel's samples reach
+constexpr int tile = 16;         // pixels: the software renderer works in tiles, and a part of one costs all of it
+constexpr double margin_px = 2;  // what rounding in single precision may move, and a pixel's samples reach
 
 // Which pixels each item of a shot may touch; empty for an item that is not drawn.
 struct Footprint {
@@ -51,9 +51,7 @@ Rect difference(const std::vector<Item>& old_items, const std::vector<Rect>& old
 
 void copy(const Image& from, const Rect& area, Image& to) {
   for (int y = area.y; y < area.y + area.height; ++y) {
-    const std::size_t first = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(from.width) +
-                                   static_cast<std::size_t>(area.x));
-    std::copy_n(&from.rgba[first], 4 * static_cast<std::size_t>(area.width), &to.rgba[first]);
+    std::copy_n(from.pixel(area.x, y), 4 * static_cast<std::size_t>(area.width), to.pixel(area.x, y));
   }
 }
 
@@ -124,12 +122,14 @@ Footprint Renderer::Parts::find_footprint(const Shot& next, const View& view) {
   return result;
 }
 
-void Renderer::Parts::draw_scene(const Shot& next, const Footprint& next_footprint, const View& view, const Rect& area) {
+void Renderer::Parts::draw_scene(const Shot& next, const Footprint& next_footprint, const View& view,
+                                 const Rect& area) {
   const auto touched = [&](const Rect& rect) { return !intersection(rect, area).empty(); };
   frame_buffer.begin(area, next.background, next_footprint.needs_depth);
   for (std::size_t i = 0; i < next.books.size(); ++i) {
     const bool solid = next.books[i].style == BookStyle::solid;
-    if (solid && touched(next_footprint.books[i])) books.draw_solid(view, next.books[i].corners_W, next_footprint.needs_depth);
+    if (solid && touched(next_footprint.books[i]))
+      books.draw_solid(view, next.books[i].corners_W, next_footprint.needs_depth);
   }
   for (std::size_t i = 0; i < next.arrows.size(); ++i) {
     if (touched(next_footprint.arrows[i])) overlays.draw_arrow(view, next.arrows[i]);
@@ -196,8 +196,12 @@ const Image& Renderer::draw(const Shot& shot) {
   return parts_->picture;
 }
 
-Rect Renderer::changed() const { return parts_->changed; }
+Rect Renderer::changed() const {
+  return parts_->changed;
+}
 
-const std::string& Renderer::description() const { return parts_->context.description(); }
+const std::string& Renderer::description() const {
+  return parts_->context.description();
+}
 
 }  // namespace bookspin
