@@ -1,0 +1,267 @@
+#include "dynamics/torque_free_theta.h"
+
+namespace bookspin {
+namespace {
+
+template <class Real>
+struct Quotient {
+  Real numerator, denominator;
+};
+
+// q = epsilon + 2 epsilon^5 + 15 epsilon^9 + ..., DLMF 19.5.6; here epsilon < 0.0433.
+Dd nome_over_epsilon(Dd epsilon) {
+  const Dd fourth = epsilon * epsilon * (epsilon * epsilon);
+  Dd sum = 0.0;
+  for (const double term : {48555069.0, 3567400.0, 268616.0, 20910.0, 1707.0, 150.0, 15.0, 2.0}) {
+    sum = (sum + term) * fourth;
+  }
+  return sum + 1.0;
+}
+
+// theta1(i eta) / (i theta4(i eta)) at nome Q = p^2, in terms of c = 2 sqrt(p) sinh eta: both are polynomials in
+// e = 2 p cosh 2 eta = c^2 + 2 p, with U_n = p^n sinh((2n+1) eta) / sinh eta and V_n = 2 p^n cosh 2n eta.
+template <class Real>
+Quotient<Real> trigonometric_quotient(Real c, Real p) {
+  const Real e = c * c + p * 2.0;
+  const Real square = p * p;
+  Real U = e + p;
+  Real U_before = 1.0;
+  Real V = e;
+  Real V_before = 2.0;
+  Real weight1 = -(square * p);  // (-1)^n p^(2n^2+n)
+  Real weight4 = -p;             // (-1)^n p^(2n^2-n)
+  Real step = square * square * p;
+  Real numerator = 1.0;
+  Real denominator = 1.0;
+  for (int n = 1; n <= 5; ++n) {
+    numerator = numerator + weight1 * U;
+    denominator = denominator + weight4 * V;
+    Real next = e * U - square * U_before;
+    U_before = U;
+    U = next;
+    next = e * V - square * V_before;
+    V_before = V;
+    V = next;
+    weight4 = -(weight4 * step);
+    weight1 = -(weight1 * (step * square));
+    step = step * (square * square);
+  }
+  return {c * numerator, denominator};
+}
+
+// theta4'(i eta) / (i theta4(i eta)) = - 2 sum n (-1)^n p^(2n^2-n) W_n / theta4, W_n = 2 p^n sinh 2n eta.
+Dd trigonometric_slope(Dd c, Dd p) {
+  const Dd e = c * c + p * 2.0;
+  const Dd square = p * p;
+  Dd W = c * sqrt(c * c + p * 4.0);
+  Dd W_before = 0.0;
+  Dd weight = -p;
+  Dd step = square * square * p;
+  Dd sum = 0.0;
+  for (int n = 1; n <= 5; ++n) {
+    sum = sum - weight * W * (2.0 * n);
+    const Dd next = e * W - square * W_before;
+    W_before = W;
+    W = next;
+    weight = -(weight * step);
+    step = step * (square * square);
+  }
+  return sum / trigonometric_quotient(c, p).denominator;
+}
+
+// The sums over (2n+1) of Q^(n(n+1)) times (-1)^n S_n, C_n and (2n+1) S_n, where S_n = sin((2n+1) eta) / sin eta and
+// C_n = cos((2n+1) eta) / cos eta, w = 2 cos 2 eta.
+template <class Real>
+struct HyperbolicSums {
+  Real theta1, theta2, slope;
+};
+
+template <class Real>
+HyperbolicSums<Real> hyperbolic_sums(Real tangent, Real nome) {
+  const Real square = tangent * tangent;
+  const Real w = (Real(1.0) - square) * 2.0 / (square + 1.0);
+  Real S = w + 1.0;
+  Real S_before = 1.0;
+  Real C = w - 1.0;
+  Real C_before = 1.0;
+  const Real nome2 = nome * nome;
+  Real weight = nome2;
+  Real step = nome2 * nome2;
+  HyperbolicSums<Real> sums{1.0, 1.0, 1.0};
+  double sign = -1;
+  for (int n = 1; n <= 5; ++n) {
+    const Real term = weight * S;
+    sums.theta1 = sums.theta1 + term * sign;
+    sums.theta2 = sums.theta2 + weight * C;
+    sums.slope = sums.slope + term * (2.0 * n + 1);
+    Real next = w * S - S_before;
+    S_before = S;
+    S = next;
+    next = w * C - C_before;
+    C_before = C;
+    C = next;
+    weight = weight * step;
+    step = step * nome2;
+    sign = -sign;
+  }
+  return sums;
+}
+
+double rounded(long double x) { return static_cast<double>(x); }
+
+// theta1..4(x, p) and alpha = theta4(x + s k eta, p^2) as polynomials in C = cos 2x.
+void trigonometric_coefficients(long double p, long double c, long double root_k_prime, long double s, ThetaForm& form) {
+  const auto power = [p](int n) {
+    long double product = 1;
+    for (int i = 0; i < n; ++i) product *= p;
+    return product;
+  };
+  const long double p2 = power(2), p4 = power(4), p6 = power(6), p9 = power(9), p12 = power(12), p16 = power(16),
+                    p20 = power(20);
+  const long double theta2_0 = 1 + p2 + p6 + p12 + p20 + p20 * p9 * p;
+  const long double theta3_0 = 1 + 2 * (p + p4 + p9 + p16 + p16 * p9);
+  const long double to_sn = theta3_0 / theta2_0;
+  const long double to_cn = root_k_prime * theta3_0 / theta2_0;
+  form.theta1 = {rounded(to_sn * (1 - p2 - p6 + p12 + p20)), rounded(to_sn * (-2 * p2 + 2 * p6 + 4 * p12 - 4 * p20)),
+                 rounded(to_sn * (4 * p6 - 4 * p12 - 12 * p20)), rounded(to_sn * (-8 * p12 + 8 * p20)),
+                 rounded(to_sn * 16 * p20)};
+  form.theta2 = {rounded(to_cn * (1 - p2 - p6 + p12 + p20)), rounded(to_cn * (2 * p2 - 2 * p6 - 4 * p12 + 4 * p20)),
+                 rounded(to_cn * (4 * p6 - 4 * p12 - 12 * p20)), rounded(to_cn * (8 * p12 - 8 * p20)),
+                 rounded(to_cn * 16 * p20)};
+  form.even = {rounded(1 - 2 * p4 + 2 * p16), rounded(4 * p4 - 16 * p16), rounded(16 * p16)};
+  form.odd = {rounded(2 * p - 6 * p9), rounded(8 * p9)};
+  form.dn_scale = rounded(root_k_prime);
+
+  // y = sqrt(p) exp(eta) and p / y = sqrt(p) exp(-eta) stay finite when p = 0.
+  const long double y = (c + std::sqrt(c * c + 4 * p)) / 2;
+  const long double up = y * y;
+  const long double down = p / y * (p / y);
+  const long double w1 = -p, w2 = p6, w3 = -(power(15));
+  const long double re1 = w1 * (up + down), re2 = w2 * (up * up + down * down);
+  const long double re3 = w3 * (up * up * up + down * down * down);
+  const long double im1 = -s * w1 * (up - down), im2 = -s * w2 * (up * up - down * down);
+  const long double im3 = -s * w3 * (up * up * up - down * down * down);
+  form.alpha_re = {rounded(1 - re2), rounded(re1 - 3 * re3), rounded(2 * re2), rounded(4 * re3)};
+  form.alpha_im = {rounded(im1 - im3), rounded(2 * im2), rounded(4 * im3), 0.0};
+}
+
+// theta1..4(2 k X, Q'^2) as polynomials in J = 2 q' cosh 4X, q' = Q'^2, and alpha = theta2(-s eta + k X, Q') as polynomials in
+// H = 2 Q' cosh 2X.
+void hyperbolic_coefficients(long double Q, long double tangent, long double s, ThetaForm& form) {
+  const long double q = Q * Q;
+  const long double q2 = q * q, q4 = q2 * q2, q5 = q4 * q, q6 = q5 * q;
+  const long double theta2_0 = 1 + q2 + q6;
+  const long double theta3_0 = 1 + 2 * q + 2 * q4;
+  const long double theta4_0 = 1 - 2 * q + 2 * q4;
+  const long double to_sn = theta3_0 / theta4_0;
+  form.theta1 = {rounded(to_sn * (1 - q2 - q6)), rounded(to_sn * (-q + q5)), rounded(to_sn * q4), 0.0, 0.0};
+  form.theta2 = {rounded(1 - q2 - q6), rounded(q - q5), rounded(q4), 0.0, 0.0};
+  form.even = {rounded(1 - 2 * q4), 0.0, rounded(q2)};
+  form.cn_scale = rounded(theta2_0 / theta4_0);
+  form.dn_scale = rounded(theta2_0 / theta3_0);
+
+  std::array<long double, 4> re{};
+  std::array<long double, 4> im{};
+  const long double cosine = 1 / std::sqrt(1 + tangent * tangent);
+  const long double sine = s * tangent * cosine;
+  const long double cos2 = (cosine - sine) * (cosine + sine);
+  const long double sin2 = 2 * sine * cosine;
+  re[0] = cosine;
+  im[0] = sine;
+  for (std::size_t n = 1; n < 4; ++n) {
+    re[n] = re[n - 1] * cos2 - im[n - 1] * sin2;
+    im[n] = im[n - 1] * cos2 + re[n - 1] * sin2;
+  }
+  const long double Q2 = q, Q4 = q2, Q5 = q2 * Q, Q6 = q2 * q, Q9 = q4 * Q, Q10 = q5, Q11 = q5 * Q, Q12 = q6;
+  form.alpha_re = {rounded(re[0] - Q2 * re[1] - Q6 * re[2] + Q12 * re[3]),
+                   rounded(Q * re[1] - Q5 * re[2] - 2 * Q11 * re[3]), rounded(Q4 * re[2] - Q10 * re[3]),
+                   rounded(Q9 * re[3])};
+  form.alpha_im = {rounded(im[0] + Q2 * im[1] - Q6 * im[2] - Q12 * im[3]),
+                   rounded(Q * im[1] + Q5 * im[2] - 2 * Q11 * im[3]), rounded(Q4 * im[2] + Q10 * im[3]),
+                   rounded(Q9 * im[3])};
+}
+
+ThetaForm trigonometric_form(const EllipticMotion& motion) {
+  ThetaForm form;
+  // Landen: Q is the nome of k1 = (1 - k') / (1 + k'), k1' = 2 sqrt k' / (1 + k'); k1 and 1 - sqrt k1' from k, not from 1 - k'.
+  const Dd root_k_prime = sqrt(motion.k_prime);
+  const Dd k_over = motion.k / (motion.k_prime + 1.0);
+  const Dd k1 = k_over * k_over;
+  const Dd k1_prime = root_k_prime * 2.0 / (motion.k_prime + 1.0);
+  const Dd half = k1 / (sqrt(k1_prime + 1.0) * (sqrt(k1_prime) + 1.0));
+  const Dd epsilon = half * half * 0.5;
+  const Dd p = half * sqrt(nome_over_epsilon(epsilon) * 0.5);
+
+  form.rate = motion.lambda * agm(motion.k_prime);
+  form.period = dd_pi;
+  form.inverse_period = 1 / dd_pi.hi;
+  // d(quotient)/d eta = theta3(Q)^2 sqrt((k1 + T^2)(1 + k1 T^2)), d eta / dc = 1 / sqrt(c^2 + 4 p).
+  const double T = motion.tangent.hi;
+  const double Q = p.hi * p.hi;
+  const double theta3 = 1 + 2 * Q + 2 * Q * Q * Q * Q + 2 * std::pow(Q, 9);
+  const auto slope = [&](double c) {
+    return theta3 * theta3 * std::sqrt((k1.hi + T * T) * (1 + k1.hi * T * T) / (c * c + 4 * p.hi));
+  };
+  double c = T;
+  for (int step = 0; step < 8; ++step) {
+    const auto quotient = trigonometric_quotient(c, p.hi);
+    c -= (quotient.numerator / quotient.denominator - T) / slope(c);
+  }
+  Dd exact = c;
+  for (int step = 0; step < 2; ++step) {
+    const auto quotient = trigonometric_quotient(exact, p);
+    exact = exact - (quotient.numerator / quotient.denominator - motion.tangent).hi / slope(c);
+  }
+  form.mu = motion.rate_at_zero - form.rate * trigonometric_slope(exact, p) * motion.s;
+  trigonometric_coefficients(p.wide(), exact.wide(), root_k_prime.wide(), motion.s, form);
+  return form;
+}
+
+ThetaForm hyperbolic_form(const EllipticMotion& motion) {
+  ThetaForm form;
+  form.hyperbolic = true;
+  // Landen: Q' is the nome of k1' = 2 sqrt k' / (1 + k'); 1 - sqrt k1 from k', not from 1 - k'.
+  const Dd k1 = (Dd(1.0) - motion.k_prime) / (motion.k_prime + 1.0);
+  const Dd root = sqrt(k1) + 1.0;
+  const Dd epsilon = motion.k_prime / ((motion.k_prime + 1.0) * root * root);
+  const Dd nome = epsilon * nome_over_epsilon(epsilon);
+  form.nome = nome.hi;
+
+  const Dd agm_k = agm(motion.k);
+  form.rate = motion.lambda * agm_k * 0.5;
+  // d(quotient)/d eta' = theta3(Q')^2 sqrt((k1 + T^2)(1 + k1 T^2)), d eta' / d tan = 1 / (1 + tan^2).
+  const double T = motion.tangent.hi;
+  const double Q = nome.hi;
+  const double theta3 = 1 + 2 * Q + 2 * Q * Q * Q * Q + 2 * std::pow(Q, 9);
+  const double slope = theta3 * theta3 * std::sqrt((k1.hi + T * T) * (1 + k1.hi * T * T)) / (1 + T * T);
+  double tangent = T;
+  for (int step = 0; step < 6; ++step) {
+    const auto sums = hyperbolic_sums(tangent, Q);
+    tangent -= (tangent * sums.theta1 / sums.theta2 - T) / slope;
+  }
+  Dd exact = tangent;
+  for (int step = 0; step < 2; ++step) {
+    const auto sums = hyperbolic_sums(exact, nome);
+    exact = exact - (exact * sums.theta1 / sums.theta2 - motion.tangent).hi / slope;
+  }
+  const auto sums = hyperbolic_sums(exact, nome);
+  form.mu = motion.rate_at_zero - form.rate * exact * sums.slope / sums.theta2 * motion.s;
+  if (motion.k_prime.hi > 0) {
+    form.period = dd_pi * 0.5 * agm_k / agm(motion.k_prime);
+    form.inverse_period = 1 / form.period.hi;
+    const Dd kappa = atan(exact) * (2 * motion.s) / form.period;
+    form.kappa = kappa.hi;
+    form.mu = form.mu + kappa * form.rate;
+  }
+  hyperbolic_coefficients(nome.wide(), exact.wide(), motion.s, form);
+  return form;
+}
+
+}  // namespace
+
+ThetaForm theta_form(const EllipticMotion& motion) {
+  constexpr double switch_k_prime = 0.17157287525380990;  // (sqrt 2 - 1)^2: K = 2 K'
+  return motion.k_prime.hi < switch_k_prime ? hyperbolic_form(motion) : trigonometric_form(motion);
+}
+
+}  // namespace bookspin
