@@ -1,7 +1,9 @@
 #include "dynamics/torque_free.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -39,23 +41,20 @@ DdVector to_body(const Eigen::Quaterniond& q, const Eigen::Vector3d& L_W) {
   return body;
 }
 
-// (w, z, x, y) of g -> (w, x, y, z) of left * g * right^-1.
+// (w, z, x, y) of g -> (x, y, z, w), Eigen's order, of left * g * right^-1.
 Eigen::Matrix4d frames(const QuaternionL& left, const QuaternionL& right) {
   const std::array<QuaternionL, 4> basis{QuaternionL(1, 0, 0, 0), QuaternionL(0, 0, 0, 1), QuaternionL(0, 1, 0, 0),
                                          QuaternionL(0, 0, 1, 0)};
   Eigen::Matrix4d matrix;
   for (int column = 0; column < 4; ++column) {
     const QuaternionL q = left * basis[static_cast<std::size_t>(column)] * right.conjugate();
-    matrix.col(column) << static_cast<double>(q.w()), static_cast<double>(q.x()), static_cast<double>(q.y()),
-        static_cast<double>(q.z());
+    matrix.col(column) = q.coeffs().cast<double>();
   }
   return matrix;
 }
 
-Eigen::Quaterniond quaternion(const Eigen::Vector4d& wxyz) {
-  const double scale = 1 / wxyz.norm();
-  return {wxyz[0] * scale, wxyz[1] * scale, wxyz[2] * scale, wxyz[3] * scale};
-}
+// x to the nearest integer, plus a constant that brings the integer's last bit to the last bit of the sum; |x| < 2^51.
+constexpr double to_integer = 0x1.8p52;
 
 // Carlson's R_F by duplication (DLMF 19.36.1); the arguments may be as small as the squares of 1e-170.
 long double carlson_rf(long double x, long double y, long double z) {
@@ -158,11 +157,11 @@ TorqueFree::TorqueFree(const Eigen::Vector3d& I_B, const Eigen::Quaterniond& q_W
 
   // The frame 1, 2, 3: right-handed, L_3 > 0, L_2(0) >= 0.
   axis_ = {static_cast<int>(b), static_cast<int>(c), static_cast<int>(a)};
-  axis_sign_[1] = L_B[c].hi < 0 ? -1 : 1;
-  axis_sign_[2] = L_B[a].hi < 0 ? -1 : 1;
-  axis_sign_[0] = axis_sign_[1] * axis_sign_[2] * ((b + 1) % 3 == c ? 1 : -1);
+  Eigen::Vector3d axis_sign(0, L_B[c].hi < 0 ? -1 : 1, L_B[a].hi < 0 ? -1 : 1);
+  axis_sign[0] = axis_sign[1] * axis_sign[2] * ((b + 1) % 3 == c ? 1 : -1);
+  L_axis_ = axis_sign * L_;
   Matrix3L R_BC = Matrix3L::Zero();
-  for (int i = 0; i < 3; ++i) R_BC(axis_[static_cast<std::size_t>(i)], i) = axis_sign_[i];
+  for (int i = 0; i < 3; ++i) R_BC(axis_[static_cast<std::size_t>(i)], i) = axis_sign[i];
   const Vector3L l = R_BC.transpose() * direction;
 
   const long double sn = l[0] * motion.s * (L / A_b).wide();
@@ -184,37 +183,43 @@ TorqueFree::TorqueFree(const Eigen::Vector3d& I_B, const Eigen::Quaterniond& q_W
 TorqueFreeState TorqueFree::at(double t) const {
   const double time = t * time_scale_;
   const Dd turns = two_product(turn_rate_.hi, time);
-  double angle = 2 * std::numbers::pi * ((turns.hi - std::nearbyint(turns.hi)) + (turns.lo + turn_rate_.lo * time));
+  const double fraction = turns.hi - ((turns.hi + to_integer) - to_integer);
+  double angle = 2 * std::numbers::pi * (fraction + (turns.lo + turn_rate_.lo * time));
+  TorqueFreeState state;
   if (steady_) {
-    const Eigen::Vector4d g(std::cos(angle), std::sin(angle), 0, 0);
-    return {quaternion(frames_ * g), amplitude_ * L_};
+    state.q_WB.coeffs().noalias() = frames_.leftCols<2>() * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    state.L_B = amplitude_ * L_;
+    return state;
   }
 
   // x, or X, within half a period of 0.
   const Dd advance = two_product(theta_.rate.hi, time);
   const Dd phase = two_sum(advance.hi, phase0_.hi);
   const double low = phase.lo + (advance.lo + theta_.rate.lo * time + phase0_.lo);
-  const double half_turns = std::nearbyint(phase.hi * theta_.inverse_period);
+  const double shifted = phase.hi * theta_.inverse_period + to_integer;
+  const double half_turns = shifted - to_integer;
   const Dd whole = two_product(half_turns, theta_.period.hi);
   const double x = (phase.hi - whole.hi) + (low - whole.lo - half_turns * theta_.period.lo);
-  const double parity = 1 - 2 * std::abs(half_turns - 2 * std::nearbyint(half_turns / 2));
+  const double parity = std::bit_cast<std::uint64_t>(shifted) % 2 == 0 ? 1 : -1;
 
   const ThetaValues<double> theta = theta_values(theta_, x);
   const double l1 = amplitude_[0] * parity * theta.sn;
   const double l2 = amplitude_[1] * parity * theta.cn;
   const double l3 = amplitude_[2] * theta.dn;
+  state.L_B[axis_[0]] = L_axis_[0] * l1;
+  state.L_B[axis_[1]] = L_axis_[1] * l2;
+  state.L_B[axis_[2]] = L_axis_[2] * l3;
 
+  // (alpha, beta) = exp(k angle) alpha (1 + l3, l2 - k l1), of length 1.
   angle -= theta_.kappa * x;
-  const double cosine = std::cos(angle);
-  const double sine = std::sin(angle);
+  const double square = theta.alpha_re * theta.alpha_re + theta.alpha_im * theta.alpha_im;
+  const double length = 1 / std::sqrt(square * ((1 + l3) * (1 + l3) + l1 * l1 + l2 * l2));
+  const double cosine = std::cos(angle) * length;
+  const double sine = std::sin(angle) * length;
   const double re = cosine * theta.alpha_re - sine * theta.alpha_im;
   const double im = cosine * theta.alpha_im + sine * theta.alpha_re;
-  const Eigen::Vector4d g((1 + l3) * re, (1 + l3) * im, re * l2 + im * l1, im * l2 - re * l1);
-
-  TorqueFreeState state{quaternion(frames_ * g), {}};
-  state.L_B[axis_[0]] = axis_sign_[0] * L_ * l1;
-  state.L_B[axis_[1]] = axis_sign_[1] * L_ * l2;
-  state.L_B[axis_[2]] = axis_sign_[2] * L_ * l3;
+  state.q_WB.coeffs().noalias() =
+      frames_ * Eigen::Vector4d((1 + l3) * re, (1 + l3) * im, re * l2 + im * l1, im * l2 - re * l1);
   return state;
 }
 

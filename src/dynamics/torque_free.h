@@ -78,8 +78,8 @@ class TorqueFree {
   Dd turn_rate_;                           // mu / (2 pi), or |omega| / (4 pi) when steady; per scaled time
   Eigen::Vector3d amplitude_{0, 0, 0};     // of L_1, L_2, L_3 over |L|; when steady: L_B / |L|
   std::array<int, 3> axis_{0, 1, 2};       // body axis of 1, 2, 3
-  Eigen::Vector3d axis_sign_{1, 1, 1};     // and its direction
-  Eigen::Matrix4d frames_ = Eigen::Matrix4d::Identity();  // (w, z, x, y) of (alpha, beta) -> (w, x, y, z) of q_WB
+  Eigen::Vector3d L_axis_{0, 0, 0};        // |L|, negative where the body axis points the other way
+  Eigen::Matrix4d frames_ = Eigen::Matrix4d::Identity();  // (w, z, x, y) of (alpha, beta) -> (x, y, z, w) of q_WB
 };
 
 // Rate sigma at which a small tilt from the middle axis grows, |L| / I_2 sqrt((I_2 - I_1)(I_3 - I_2) / (I_1 I_3)) for

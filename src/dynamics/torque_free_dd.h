@@ -6,6 +6,7 @@
 // Source: Dekker, Numer. Math. 18 (1971) 224; Hida, Li & Bailey, ARITH-15 (2001) 155, algorithms 3 to 14.
 #pragma once
 
+#include <array>
 #include <cmath>
 
 namespace bookspin {
@@ -16,24 +17,25 @@ struct Dd {
 
   constexpr Dd() = default;
   constexpr Dd(double hi_, double lo_ = 0) : hi(hi_), lo(lo_) {}  // NOLINT(*-explicit-*): a double is a Dd
+  constexpr explicit operator double() const { return hi; }
   [[nodiscard]] long double wide() const { return static_cast<long double>(hi) + static_cast<long double>(lo); }
 };
 
 inline constexpr Dd dd_pi{3.141592653589793116, 1.2246467991473532072e-16};
 
 // |a| >= |b| or a = 0.
-inline Dd quick_two_sum(double a, double b) {
+constexpr Dd quick_two_sum(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};
 }
 
-inline Dd two_sum(double a, double b) {
+constexpr Dd two_sum(double a, double b) {
   const double sum = a + b;
   const double b_part = sum - a;
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
-inline Dd two_product(double a, double b) {
+constexpr Dd two_product(double a, double b) {
   constexpr double splitter = 134217729.0;  // 2^27 + 1
   const double product = a * b;
   const double a_scaled = splitter * a;
@@ -45,23 +47,23 @@ inline Dd two_product(double a, double b) {
   return {product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low};
 }
 
-inline Dd operator-(Dd a) { return {-a.hi, -a.lo}; }
+constexpr Dd operator-(Dd a) { return {-a.hi, -a.lo}; }
 
-inline Dd operator+(Dd a, Dd b) {
+constexpr Dd operator+(Dd a, Dd b) {
   const Dd high = two_sum(a.hi, b.hi);
   const Dd low = two_sum(a.lo, b.lo);
   const Dd carried = quick_two_sum(high.hi, high.lo + low.hi);
   return quick_two_sum(carried.hi, carried.lo + low.lo);
 }
 
-inline Dd operator-(Dd a, Dd b) { return a + (-b); }
+constexpr Dd operator-(Dd a, Dd b) { return a + (-b); }
 
-inline Dd operator*(Dd a, Dd b) {
+constexpr Dd operator*(Dd a, Dd b) {
   const Dd product = two_product(a.hi, b.hi);
   return quick_two_sum(product.hi, product.lo + (a.hi * b.lo + a.lo * b.hi));
 }
 
-inline Dd operator/(Dd a, Dd b) {
+constexpr Dd operator/(Dd a, Dd b) {
   const double first = a.hi / b.hi;
   Dd rest = a - b * first;
   const double second = rest.hi / b.hi;
@@ -69,7 +71,7 @@ inline Dd operator/(Dd a, Dd b) {
   return quick_two_sum(first, second) + rest.hi / b.hi;
 }
 
-inline bool operator<(Dd a, Dd b) { return a.hi < b.hi || (a.hi == b.hi && a.lo < b.lo); }
+constexpr bool operator<(Dd a, Dd b) { return a.hi < b.hi || (a.hi == b.hi && a.lo < b.lo); }
 
 inline Dd abs(Dd a) { return a.hi < 0 ? -a : a; }
 
@@ -99,13 +101,18 @@ inline Dd agm(Dd b) {
   return (a + b) * 0.5;  // quadratic convergence: the last mean is exact to 1e-31
 }
 
-// Arc tangent of 0 <= v <= 1: four halvings of the angle, then Taylor.
+// Arc tangent of 0 <= v <= 1: three halvings of the angle, then Taylor.
 inline Dd atan(Dd v) {
-  for (int halving = 0; halving < 4; ++halving) v = v / (sqrt(v * v + 1.0) + 1.0);
+  static constexpr auto reciprocals = [] {
+    std::array<Dd, 16> table;
+    for (std::size_t i = 0; i < table.size(); ++i) table[i] = Dd(1.0) / (2.0 * static_cast<double>(i) + 1);
+    return table;
+  }();
+  for (int halving = 0; halving < 3; ++halving) v = v / (sqrt(v * v + 1.0) + 1.0);
   const Dd square = v * v;
   Dd sum = 0.0;
-  for (int odd = 23; odd >= 1; odd -= 2) sum = Dd(1.0) / static_cast<double>(odd) - square * sum;
-  return v * sum * 16.0;
+  for (std::size_t i = reciprocals.size(); i-- > 0;) sum = reciprocals[i] - square * sum;
+  return v * sum * 8.0;
 }
 
 }  // namespace bookspin

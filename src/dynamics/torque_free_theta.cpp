@@ -3,108 +3,119 @@
 namespace bookspin {
 namespace {
 
-template <class Real>
-struct Quotient {
-  Real numerator, denominator;
-};
-
-// q = epsilon + 2 epsilon^5 + 15 epsilon^9 + ..., DLMF 19.5.6; here epsilon < 0.0433.
+// q = epsilon + 2 epsilon^5 + 15 epsilon^9 + ..., DLMF 19.5.6; here epsilon < 0.0433, and double is enough from the fourth term.
 Dd nome_over_epsilon(Dd epsilon) {
-  const Dd fourth = epsilon * epsilon * (epsilon * epsilon);
-  Dd sum = 0.0;
-  for (const double term : {48555069.0, 3567400.0, 268616.0, 20910.0, 1707.0, 150.0, 15.0, 2.0}) {
-    sum = (sum + term) * fourth;
-  }
-  return sum + 1.0;
+  const Dd square = epsilon * epsilon;
+  const Dd fourth = square * square;
+  double tail = 0;
+  for (const double term : {48555069.0, 3567400.0, 268616.0, 20910.0, 1707.0, 150.0}) tail = (tail + term) * fourth.hi;
+  return ((fourth * (Dd(15.0) + tail)) + 2.0) * fourth + 1.0;
 }
 
-// theta1(i eta) / (i theta4(i eta)) at nome Q = p^2, in terms of c = 2 sqrt(p) sinh eta: both are polynomials in
-// e = 2 p cosh 2 eta = c^2 + 2 p, with U_n = p^n sinh((2n+1) eta) / sinh eta and V_n = 2 p^n cosh 2n eta.
+constexpr double negligible = 1e-34;
+
+// Theta functions at a point of the imaginary axis, or their image: each Real is a double or a Dd.
 template <class Real>
-Quotient<Real> trigonometric_quotient(Real c, Real p) {
-  const Real e = c * c + p * 2.0;
-  const Real square = p * p;
+struct ThetaSums {
+  Real theta1, partner;  // the quotient theta1 / partner is what eta is found from
+  Real slope;            // d(arg alpha)/dx at x = 0, times partner
+};
+
+// At z = k eta, nome Q = p^2, in terms of c = 2 sqrt(p) sinh eta: theta1 / k and theta4 are polynomials in e = 2 p cosh 2 eta:
+// U_n = p^n sinh((2n+1) eta) / sinh eta, V_n = 2 p^n cosh 2n eta, W_n = p^n sinh 2n eta / sinh 2 eta.
+template <class Real>
+ThetaSums<Real> trigonometric_sums(Real c, Real p) {
+  const Real c2 = c * c;
+  const Real e = c2 + p * 2.0;
+  const Real p2 = p * p;
+  const Real p4 = p2 * p2;
   Real U = e + p;
   Real U_before = 1.0;
   Real V = e;
   Real V_before = 2.0;
-  Real weight1 = -(square * p);  // (-1)^n p^(2n^2+n)
-  Real weight4 = -p;             // (-1)^n p^(2n^2-n)
-  Real step = square * square * p;
-  Real numerator = 1.0;
-  Real denominator = 1.0;
-  for (int n = 1; n <= 5; ++n) {
-    numerator = numerator + weight1 * U;
-    denominator = denominator + weight4 * V;
-    Real next = e * U - square * U_before;
-    U_before = U;
-    U = next;
-    next = e * V - square * V_before;
-    V_before = V;
-    V = next;
+  Real W = 1.0;
+  Real W_before = 0.0;
+  Real weight4 = -p;         // (-1)^n p^(2n^2-n)
+  Real power = p2;           // p^(2n): weight1 / weight4
+  Real step = p4 * p;        // p^(4n+1)
+  ThetaSums<Real> sums{1.0, 1.0, 0.0};
+  const auto recur = [&](Real& now, Real& before) {
+    const Real next = e * now - p2 * before;
+    before = now;
+    now = next;
+  };
+  for (int n = 1; std::abs(static_cast<double>(weight4)) > negligible; ++n) {
+    sums.theta1 = sums.theta1 + weight4 * power * U;
+    sums.partner = sums.partner + weight4 * V;
+    sums.slope = sums.slope - weight4 * W * (2.0 * n);
+    recur(U, U_before);
+    recur(V, V_before);
+    recur(W, W_before);
     weight4 = -(weight4 * step);
-    weight1 = -(weight1 * (step * square));
-    step = step * (square * square);
+    power = power * p2;
+    step = step * p4;
   }
-  return {c * numerator, denominator};
+  sums.theta1 = sums.theta1 * c;
+  using std::sqrt;  // or, by argument, that of Dd
+  sums.slope = sums.slope * c * sqrt(c2 + p * 4.0);
+  return sums;
 }
 
-// theta4'(i eta) / (i theta4(i eta)) = - 2 sum n (-1)^n p^(2n^2-n) W_n / theta4, W_n = 2 p^n sinh 2n eta.
-Dd trigonometric_slope(Dd c, Dd p) {
-  const Dd e = c * c + p * 2.0;
-  const Dd square = p * p;
-  Dd W = c * sqrt(c * c + p * 4.0);
-  Dd W_before = 0.0;
-  Dd weight = -p;
-  Dd step = square * square * p;
-  Dd sum = 0.0;
-  for (int n = 1; n <= 5; ++n) {
-    sum = sum - weight * W * (2.0 * n);
-    const Dd next = e * W - square * W_before;
-    W_before = W;
-    W = next;
-    weight = -(weight * step);
-    step = step * (square * square);
-  }
-  return sum / trigonometric_quotient(c, p).denominator;
-}
-
-// The sums over (2n+1) of Q^(n(n+1)) times (-1)^n S_n, C_n and (2n+1) S_n, where S_n = sin((2n+1) eta) / sin eta and
-// C_n = cos((2n+1) eta) / cos eta, w = 2 cos 2 eta.
+// theta1(eta, Q') and theta2(eta, Q') over cos eta, in terms of v = tan eta:
+// S_n = sin((2n+1) eta) / sin eta and C_n = cos((2n+1) eta) / cos eta are polynomials in w = 2 cos 2 eta.
 template <class Real>
-struct HyperbolicSums {
-  Real theta1, theta2, slope;
-};
-
-template <class Real>
-HyperbolicSums<Real> hyperbolic_sums(Real tangent, Real nome) {
-  const Real square = tangent * tangent;
-  const Real w = (Real(1.0) - square) * 2.0 / (square + 1.0);
+ThetaSums<Real> hyperbolic_sums(Real v, Real nome) {
+  const Real v2 = v * v;
+  const Real w = (Real(1.0) - v2) * 2.0 / (v2 + 1.0);
   Real S = w + 1.0;
   Real S_before = 1.0;
   Real C = w - 1.0;
   Real C_before = 1.0;
   const Real nome2 = nome * nome;
-  Real weight = nome2;
+  Real weight = nome2;  // Q'^(n(n+1))
   Real step = nome2 * nome2;
-  HyperbolicSums<Real> sums{1.0, 1.0, 1.0};
+  ThetaSums<Real> sums{1.0, 1.0, 1.0};
+  const auto recur = [&](Real& now, Real& before) {
+    const Real next = w * now - before;
+    before = now;
+    now = next;
+  };
   double sign = -1;
-  for (int n = 1; n <= 5; ++n) {
+  for (int n = 1; static_cast<double>(weight) > negligible; ++n) {
     const Real term = weight * S;
     sums.theta1 = sums.theta1 + term * sign;
-    sums.theta2 = sums.theta2 + weight * C;
+    sums.partner = sums.partner + weight * C;
     sums.slope = sums.slope + term * (2.0 * n + 1);
-    Real next = w * S - S_before;
-    S_before = S;
-    S = next;
-    next = w * C - C_before;
-    C_before = C;
-    C = next;
+    recur(S, S_before);
+    recur(C, C_before);
     weight = weight * step;
     step = step * nome2;
     sign = -sign;
   }
+  sums.theta1 = sums.theta1 * v;
+  sums.slope = sums.slope * v;
   return sums;
+}
+
+// Newton's iteration for theta1 / partner = target, in double and once more in double-double. slope: the derivative at the root,
+// in closed form, so that the step from 16 digits gives 31.
+template <class Sums, class Slope>
+Dd solve(Dd target, const Sums& sums, const Slope& slope) {
+  double root = target.hi;
+  for (int step = 0; step < 10; ++step) {
+    const auto at = sums(root);
+    const double change = (at.theta1 / at.partner - target.hi) / slope(root);
+    root -= change;
+    if (std::abs(change) <= 1e-15 * root) break;
+  }
+  const auto at = sums(Dd(root));
+  return Dd(root) - (at.theta1 / at.partner - target).hi / slope(root);
+}
+
+double theta3_squared(double Q) {
+  const double Q4 = Q * Q * Q * Q;
+  const double theta3 = 1 + 2 * (Q + Q4 + Q4 * Q4 * Q);
+  return theta3 * theta3;
 }
 
 double rounded(long double x) { return static_cast<double>(x); }
@@ -142,7 +153,7 @@ void trigonometric_coefficients(long double p, long double c, long double root_k
   const long double im1 = -s * w1 * (up - down), im2 = -s * w2 * (up * up - down * down);
   const long double im3 = -s * w3 * (up * up * up - down * down * down);
   form.alpha_re = {rounded(1 - re2), rounded(re1 - 3 * re3), rounded(2 * re2), rounded(4 * re3)};
-  form.alpha_im = {rounded(im1 - im3), rounded(2 * im2), rounded(4 * im3), 0.0};
+  form.alpha_im = {rounded(2 * (im1 - im3)), rounded(4 * im2), rounded(8 * im3), 0};
 }
 
 // theta1..4(2 k X, Q'^2) as polynomials in J = 2 q' cosh 4X, q' = Q'^2, and alpha = theta2(-s eta + k X, Q') as polynomials in
@@ -154,9 +165,9 @@ void hyperbolic_coefficients(long double Q, long double tangent, long double s, 
   const long double theta3_0 = 1 + 2 * q + 2 * q4;
   const long double theta4_0 = 1 - 2 * q + 2 * q4;
   const long double to_sn = theta3_0 / theta4_0;
-  form.theta1 = {rounded(to_sn * (1 - q2 - q6)), rounded(to_sn * (-q + q5)), rounded(to_sn * q4), 0.0, 0.0};
-  form.theta2 = {rounded(1 - q2 - q6), rounded(q - q5), rounded(q4), 0.0, 0.0};
-  form.even = {rounded(1 - 2 * q4), 0.0, rounded(q2)};
+  form.theta1 = {rounded(to_sn * (1 - q2 - q6)), rounded(to_sn * (-q + q5)), rounded(to_sn * q4), 0, 0};
+  form.theta2 = {rounded(1 - q2 - q6), rounded(q - q5), rounded(q4), 0, 0};
+  form.even = {rounded(1 - 2 * q4), rounded(q2), 0};
   form.cn_scale = rounded(theta2_0 / theta4_0);
   form.dn_scale = rounded(theta2_0 / theta3_0);
 
@@ -195,25 +206,15 @@ ThetaForm trigonometric_form(const EllipticMotion& motion) {
   form.rate = motion.lambda * agm(motion.k_prime);
   form.period = dd_pi;
   form.inverse_period = 1 / dd_pi.hi;
-  // d(quotient)/d eta = theta3(Q)^2 sqrt((k1 + T^2)(1 + k1 T^2)), d eta / dc = 1 / sqrt(c^2 + 4 p).
-  const double T = motion.tangent.hi;
-  const double Q = p.hi * p.hi;
-  const double theta3 = 1 + 2 * Q + 2 * Q * Q * Q * Q + 2 * std::pow(Q, 9);
-  const auto slope = [&](double c) {
-    return theta3 * theta3 * std::sqrt((k1.hi + T * T) * (1 + k1.hi * T * T) / (c * c + 4 * p.hi));
-  };
-  double c = T;
-  for (int step = 0; step < 8; ++step) {
-    const auto quotient = trigonometric_quotient(c, p.hi);
-    c -= (quotient.numerator / quotient.denominator - T) / slope(c);
-  }
-  Dd exact = c;
-  for (int step = 0; step < 2; ++step) {
-    const auto quotient = trigonometric_quotient(exact, p);
-    exact = exact - (quotient.numerator / quotient.denominator - motion.tangent).hi / slope(c);
-  }
-  form.mu = motion.rate_at_zero - form.rate * trigonometric_slope(exact, p) * motion.s;
-  trigonometric_coefficients(p.wide(), exact.wide(), root_k_prime.wide(), motion.s, form);
+  // d(theta1 / k theta4)/d eta = theta3(Q)^2 sqrt((k1 + T^2)(1 + k1 T^2)), d eta / dc = 1 / sqrt(c^2 + 4 p).
+  const double T2 = motion.tangent.hi * motion.tangent.hi;
+  const double by_eta = theta3_squared(p.hi * p.hi) * std::sqrt((k1.hi + T2) * (1 + k1.hi * T2));
+  const Dd c = solve(
+      motion.tangent, [&](auto at) { return trigonometric_sums(at, decltype(at)(p)); },
+      [&](double at) { return by_eta / std::sqrt(at * at + 4 * p.hi); });
+  const auto sums = trigonometric_sums(c, p);
+  form.mu = motion.rate_at_zero - form.rate * sums.slope / sums.partner * motion.s;
+  trigonometric_coefficients(p.wide(), c.wide(), root_k_prime.wide(), motion.s, form);
   return form;
 }
 
@@ -226,34 +227,27 @@ ThetaForm hyperbolic_form(const EllipticMotion& motion) {
   const Dd epsilon = motion.k_prime / ((motion.k_prime + 1.0) * root * root);
   const Dd nome = epsilon * nome_over_epsilon(epsilon);
   form.nome = nome.hi;
+  form.limit = 350;
 
   const Dd agm_k = agm(motion.k);
   form.rate = motion.lambda * agm_k * 0.5;
-  // d(quotient)/d eta' = theta3(Q')^2 sqrt((k1 + T^2)(1 + k1 T^2)), d eta' / d tan = 1 / (1 + tan^2).
-  const double T = motion.tangent.hi;
-  const double Q = nome.hi;
-  const double theta3 = 1 + 2 * Q + 2 * Q * Q * Q * Q + 2 * std::pow(Q, 9);
-  const double slope = theta3 * theta3 * std::sqrt((k1.hi + T * T) * (1 + k1.hi * T * T)) / (1 + T * T);
-  double tangent = T;
-  for (int step = 0; step < 6; ++step) {
-    const auto sums = hyperbolic_sums(tangent, Q);
-    tangent -= (tangent * sums.theta1 / sums.theta2 - T) / slope;
-  }
-  Dd exact = tangent;
-  for (int step = 0; step < 2; ++step) {
-    const auto sums = hyperbolic_sums(exact, nome);
-    exact = exact - (exact * sums.theta1 / sums.theta2 - motion.tangent).hi / slope;
-  }
-  const auto sums = hyperbolic_sums(exact, nome);
-  form.mu = motion.rate_at_zero - form.rate * exact * sums.slope / sums.theta2 * motion.s;
+  // d(theta1 / theta2)/d eta' = theta3(Q')^2 sqrt((k1 + T^2)(1 + k1 T^2)), d eta' / dv = 1 / (1 + v^2).
+  const double T2 = motion.tangent.hi * motion.tangent.hi;
+  const double by_eta = theta3_squared(nome.hi) * std::sqrt((k1.hi + T2) * (1 + k1.hi * T2));
+  const Dd v = solve(
+      motion.tangent, [&](auto at) { return hyperbolic_sums(at, decltype(at)(nome)); },
+      [&](double at) { return by_eta / (1 + at * at); });
+  const auto sums = hyperbolic_sums(v, nome);
+  form.mu = motion.rate_at_zero - form.rate * sums.slope / sums.partner * motion.s;
   if (motion.k_prime.hi > 0) {
     form.period = dd_pi * 0.5 * agm_k / agm(motion.k_prime);
     form.inverse_period = 1 / form.period.hi;
-    const Dd kappa = atan(exact) * (2 * motion.s) / form.period;
+    form.limit = std::min(form.limit, 0.5 * form.period.hi);
+    const Dd kappa = atan(v) * (2 * motion.s) / form.period;
     form.kappa = kappa.hi;
     form.mu = form.mu + kappa * form.rate;
   }
-  hyperbolic_coefficients(nome.wide(), exact.wide(), motion.s, form);
+  hyperbolic_coefficients(nome.wide(), v.wide(), motion.s, form);
   return form;
 }
 

@@ -30,6 +30,7 @@ struct ThetaForm {
   Dd mu;                           // secular rate of arg alpha
   double kappa = 0;                // 2 s eta' / Lambda; 0 in the trigonometric form
   double nome = 0;                 // Q', hyperbolic
+  double limit = 0;                // of |X|: Lambda / 2, but at most 350, where L is along the middle axis to 1e-300
   std::array<double, 4> alpha_re{};  // in cos 2x, or in 2 Q' cosh 2X
   std::array<double, 4> alpha_im{};  //
   std::array<double, 5> theta1{};  // over sin x or sinh 2X, scaled to give sn
@@ -48,10 +49,11 @@ struct ThetaValues {
 
 ThetaForm theta_form(const EllipticMotion& motion);
 
-template <class Real, std::size_t N>
+template <std::size_t Terms, class Real, std::size_t N>
 Real polynomial(const std::array<double, N>& coefficient, Real x) {
-  Real value = coefficient[N - 1];
-  for (std::size_t i = N - 1; i-- > 0;) value = value * x + coefficient[i];
+  static_assert(Terms <= N);
+  Real value = coefficient[Terms - 1];
+  for (std::size_t i = Terms - 1; i-- > 0;) value = value * x + coefficient[i];
   return value;
 }
 
@@ -60,28 +62,27 @@ ThetaValues<Real> trigonometric_values(const ThetaForm& form, Real x) {
   const Real sine = std::sin(x);
   const Real cosine = std::cos(x);
   const Real cos2 = (cosine - sine) * (cosine + sine);
-  const Real even = polynomial(form.even, cos2 * cos2);
-  const Real odd = cos2 * polynomial(form.odd, cos2 * cos2);
+  const Real even = polynomial<3>(form.even, cos2 * cos2);
+  const Real odd = cos2 * polynomial<2>(form.odd, cos2 * cos2);
   const Real inverse = 1 / (even - odd);
-  return {polynomial(form.alpha_re, cos2), 2 * sine * cosine * polynomial(form.alpha_im, cos2),
-          sine * polynomial(form.theta1, cos2) * inverse, cosine * polynomial(form.theta2, cos2) * inverse,
+  return {polynomial<4>(form.alpha_re, cos2), sine * cosine * polynomial<3>(form.alpha_im, cos2),
+          sine * polynomial<5>(form.theta1, cos2) * inverse, cosine * polynomial<5>(form.theta2, cos2) * inverse,
           (even + odd) * inverse * form.dn_scale};
 }
 
 template <class Real>
 ThetaValues<Real> hyperbolic_values(const ThetaForm& form, Real x) {
-  // Beyond 350 (only on the separatrix) L is along the middle axis to 1e-300.
-  const Real growth = std::exp(2 * std::min(std::abs(x), static_cast<Real>(350)));
+  const Real growth = std::exp(2 * std::min(std::abs(x), static_cast<Real>(form.limit)));
   const Real decay = 1 / growth;
   const Real sign = x < 0 ? -1 : 1;
-  const Real cosh2 = form.nome * (growth + decay);                         // 2 Q' cosh 2X, at most 1 + Q'^2
-  const Real cosh4 = cosh2 * cosh2 - 2 * Real(form.nome) * form.nome;      // 2 q' cosh 4X with q' = Q'^2
-  const Real even = polynomial(form.even, cosh4);
+  const Real cosh2 = form.nome * (growth + decay);                     // 2 Q' cosh 2X, at most 1 + Q'^2
+  const Real cosh4 = cosh2 * cosh2 - 2 * Real(form.nome) * form.nome;  // 2 q' cosh 4X, q' = Q'^2
+  const Real even = polynomial<2>(form.even, cosh4 * cosh4);
   const Real square = decay * decay;
-  const Real inverse = 1 / ((1 + square) * polynomial(form.theta2, cosh4));
+  const Real inverse = 1 / ((1 + square) * polynomial<3>(form.theta2, cosh4));
   const Real scale = 2 * decay * inverse;
-  return {(1 + decay) * polynomial(form.alpha_re, cosh2), sign * (1 - decay) * polynomial(form.alpha_im, cosh2),
-          sign * (1 - square) * polynomial(form.theta1, cosh4) * inverse, (even - cosh4) * scale * form.cn_scale,
+  return {(1 + decay) * polynomial<4>(form.alpha_re, cosh2), sign * (1 - decay) * polynomial<4>(form.alpha_im, cosh2),
+          sign * (1 - square) * polynomial<3>(form.theta1, cosh4) * inverse, (even - cosh4) * scale * form.cn_scale,
           (even + cosh4) * scale * form.dn_scale};
 }
 
