@@ -167,8 +167,9 @@ TorqueFree::TorqueFree(const Eigen::Vector3d& I_B, const Eigen::Quaterniond& q_W
   const long double sn = l[0] * motion.s * (L / A_b).wide();
   const long double cn = l[1] * (L / A_c).wide();
   const long double dn = l[2] * (L / A_a).wide();
-  const long double x0 = sn * carlson_rf(cn * cn, dn * dn, 1.0L) * (theta_.rate / motion.lambda).wide();
-  phase0_ = quick_two_sum(static_cast<double>(x0), static_cast<double>(x0 - static_cast<double>(x0)));
+  const long double phase0 = sn * carlson_rf(cn * cn, dn * dn, 1.0L) * (theta_.frequency / motion.lambda).wide();
+  phase0_ = quick_two_sum(static_cast<double>(phase0), static_cast<double>(phase0 - static_cast<double>(phase0)));
+  const long double x0 = phase0 * theta_.period;
 
   // What the frame of 1, 2, 3 is turned by at t = 0, relative to the frame of L.
   const ThetaValues<long double> theta = theta_values(theta_, x0);
@@ -192,14 +193,13 @@ TorqueFreeState TorqueFree::at(double t) const {
     return state;
   }
 
-  // x, or X, within half a period of 0.
-  const Dd advance = two_product(theta_.rate.hi, time);
+  // Periods since u = 0, and x or X within half a period of 0.
+  const Dd advance = two_product(theta_.frequency.hi, time);
   const Dd phase = two_sum(advance.hi, phase0_.hi);
-  const double low = phase.lo + (advance.lo + theta_.rate.lo * time + phase0_.lo);
-  const double shifted = phase.hi * theta_.inverse_period + to_integer;
-  const double half_turns = shifted - to_integer;
-  const Dd whole = two_product(half_turns, theta_.period.hi);
-  const double x = (phase.hi - whole.hi) + (low - whole.lo - half_turns * theta_.period.lo);
+  const double shifted = phase.hi * theta_.reduce + to_integer;
+  const double rest = (phase.hi - (shifted - to_integer)) +
+                      (phase.lo + (advance.lo + theta_.frequency.lo * time + phase0_.lo));
+  const double x = rest * theta_.period;
   const double parity = std::bit_cast<std::uint64_t>(shifted) % 2 == 0 ? 1 : -1;
 
   const ThetaValues<double> theta = theta_values(theta_, x);
@@ -224,15 +224,14 @@ TorqueFreeState TorqueFree::at(double t) const {
 }
 
 double TorqueFree::flip_period() const {
-  if (steady_ || theta_.inverse_period == 0) return std::numeric_limits<double>::infinity();
-  return (theta_.period / theta_.rate).hi / time_scale_;
+  if (steady_ || theta_.reduce == 0) return std::numeric_limits<double>::infinity();
+  return 1 / theta_.frequency.hi / time_scale_;
 }
 
 double TorqueFree::first_flip() const {
-  if (steady_) return std::numeric_limits<double>::infinity();
-  if (!(Dd(0.0) < phase0_)) return (-phase0_ / theta_.rate).hi / time_scale_;
-  if (theta_.inverse_period == 0) return std::numeric_limits<double>::infinity();
-  return ((theta_.period - phase0_) / theta_.rate).hi / time_scale_;
+  if (steady_ || (theta_.reduce == 0 && phase0_.hi > 0)) return std::numeric_limits<double>::infinity();
+  const Dd periods = phase0_.hi > 0 ? Dd(1.0) - phase0_ : -phase0_;
+  return (periods / theta_.frequency).hi / time_scale_;
 }
 
 double intermediate_axis_growth_rate(const Eigen::Vector3d& I_B, double L) {

@@ -203,9 +203,9 @@ ThetaForm trigonometric_form(const EllipticMotion& motion) {
   const Dd epsilon = half * half * 0.5;
   const Dd p = half * sqrt(nome_over_epsilon(epsilon) * 0.5);
 
-  form.rate = motion.lambda * agm(motion.k_prime);
-  form.period = dd_pi;
-  form.inverse_period = 1 / dd_pi.hi;
+  const Dd rate = motion.lambda * agm(motion.k_prime);
+  form.frequency = rate / dd_pi;
+  form.period = dd_pi.hi;
   // d(theta1 / k theta4)/d eta = theta3(Q)^2 sqrt((k1 + T^2)(1 + k1 T^2)), d eta / dc = 1 / sqrt(c^2 + 4 p).
   const double T2 = motion.tangent.hi * motion.tangent.hi;
   const double by_eta = theta3_squared(p.hi * p.hi) * std::sqrt((k1.hi + T2) * (1 + k1.hi * T2));
@@ -213,7 +213,7 @@ ThetaForm trigonometric_form(const EllipticMotion& motion) {
       motion.tangent, [&](auto at) { return trigonometric_sums(at, decltype(at)(p)); },
       [&](double at) { return by_eta / std::sqrt(at * at + 4 * p.hi); });
   const auto sums = trigonometric_sums(c, p);
-  form.mu = motion.rate_at_zero - form.rate * sums.slope / sums.partner * motion.s;
+  form.mu = motion.rate_at_zero - rate * sums.slope / sums.partner * motion.s;
   trigonometric_coefficients(p.wide(), c.wide(), root_k_prime.wide(), motion.s, form);
   return form;
 }
@@ -227,10 +227,9 @@ ThetaForm hyperbolic_form(const EllipticMotion& motion) {
   const Dd epsilon = motion.k_prime / ((motion.k_prime + 1.0) * root * root);
   const Dd nome = epsilon * nome_over_epsilon(epsilon);
   form.nome = nome.hi;
-  form.limit = 350;
 
   const Dd agm_k = agm(motion.k);
-  form.rate = motion.lambda * agm_k * 0.5;
+  const Dd rate = motion.lambda * agm_k * 0.5;
   // d(theta1 / theta2)/d eta' = theta3(Q')^2 sqrt((k1 + T^2)(1 + k1 T^2)), d eta' / dv = 1 / (1 + v^2).
   const double T2 = motion.tangent.hi * motion.tangent.hi;
   const double by_eta = theta3_squared(nome.hi) * std::sqrt((k1.hi + T2) * (1 + k1.hi * T2));
@@ -238,14 +237,18 @@ ThetaForm hyperbolic_form(const EllipticMotion& motion) {
       motion.tangent, [&](auto at) { return hyperbolic_sums(at, decltype(at)(nome)); },
       [&](double at) { return by_eta / (1 + at * at); });
   const auto sums = hyperbolic_sums(v, nome);
-  form.mu = motion.rate_at_zero - form.rate * sums.slope / sums.partner * motion.s;
+  form.mu = motion.rate_at_zero - rate * sums.slope / sums.partner * motion.s;
   if (motion.k_prime.hi > 0) {
-    form.period = dd_pi * 0.5 * agm_k / agm(motion.k_prime);
-    form.inverse_period = 1 / form.period.hi;
-    form.limit = std::min(form.limit, 0.5 * form.period.hi);
-    const Dd kappa = atan(v) * (2 * motion.s) / form.period;
+    const Dd period = dd_pi * 0.5 * agm_k / agm(motion.k_prime);
+    const Dd kappa = atan(v) * (2 * motion.s) / period;
+    form.frequency = rate / period;
+    form.period = period.hi;
+    form.limit = std::min(form.limit, 0.5 * form.period);
     form.kappa = kappa.hi;
-    form.mu = form.mu + kappa * form.rate;
+    form.mu = form.mu + kappa * rate;
+  } else {
+    form.frequency = rate;
+    form.reduce = 0;
   }
   hyperbolic_coefficients(nome.wide(), v.wide(), motion.s, form);
   return form;

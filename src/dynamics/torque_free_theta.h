@@ -24,13 +24,13 @@ struct EllipticMotion {
 
 struct ThetaForm {
   bool hyperbolic = false;         // K > 2 K'
-  Dd rate;                         // d/dt of x = pi u / (2 K), or of X = pi u / (4 K')
-  Dd period;                       // of x: pi, of X: Lambda = -ln Q'; unused on the separatrix
-  double inverse_period = 0;       // 0 on the separatrix: never reduce
+  Dd frequency;                    // periods of x = pi u / (2 K), or of X = pi u / (4 K'), per time
+  double period = 1;               // of x: pi, of X: Lambda = -ln Q'; 1 on the separatrix, where nothing is periodic
+  double reduce = 1;               // 0 on the separatrix: never drop periods
   Dd mu;                           // secular rate of arg alpha
   double kappa = 0;                // 2 s eta' / Lambda; 0 in the trigonometric form
   double nome = 0;                 // Q', hyperbolic
-  double limit = 0;                // of |X|: Lambda / 2, but at most 350, where L is along the middle axis to 1e-300
+  double limit = 350;              // of |X|: Lambda / 2, but at most 350, where L is along the middle axis to 1e-300
   std::array<double, 4> alpha_re{};  // in cos 2x, or in 2 Q' cosh 2X
   std::array<double, 4> alpha_im{};  //
   std::array<double, 5> theta1{};  // over sin x or sinh 2X, scaled to give sn
