@@ -57,7 +57,8 @@ void rk4_step(RigidState& state, const Eigen::Vector3d& I_B, double h) {
 }
 
 // H = top + kick: the top has the moment of axis i about axis j too; the kick is what that leaves out, (1/I_j - 1/I_i) L_j^2 / 2.
-// The two axes with the nearest 1/I make the kick smallest; which of them is i makes no difference that counts.
+// The two axes with the nearest 1/I make the kick smallest: of the six choices never the worst, within 2.5 times the best error
+// where the worst is 40 times (measured on the book and a less regular body). Rotating about the three axes in turn is no better.
 void splitting2_step(RigidState& state, const Eigen::Vector3d& I_B, double h) {
   const Eigen::Vector3d a = I_B.cwiseInverse();
   int symmetry = 0;
@@ -86,7 +87,7 @@ void dmv_step(RigidState& state, const Eigen::Vector3d& I, double h) {
   Eigen::Vector3d e = (half + 0.5 * h * half.cross(omega)).cwiseQuotient(I);
   const Eigen::Vector3d gap(I.z() - I.y(), I.x() - I.z(), I.y() - I.x());
   bool solved = false;
-  for (int round = 0; round < 20 && !solved; ++round) {
+  for (int round = 0; round < 20 && !solved && e.allFinite(); ++round) {
     const Eigen::Vector3d coupling(e.y() * e.z(), e.z() * e.x(), e.x() * e.y());
     const Eigen::Vector3d residual = e.cwiseProduct(I) + gap.cwiseProduct(coupling) - (1.0 + e.squaredNorm()) * half;
     Eigen::Matrix3d J;
