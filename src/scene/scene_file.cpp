@@ -6,6 +6,8 @@
 #include <array>
 #include <charconv>
 #include <fstream>
+#include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -56,11 +58,16 @@ void read_view(TableReader& scene_reader, ViewSetup& view) {
 // The paper's damping is on or off; a number is a multiple of its critical damping.
 void read_damping(TableReader& reader, double& damping) {
   const toml::node* node = reader.node("damping");
-  if (node != nullptr && node->is_boolean()) {
+  if (node == nullptr) return;
+  if (node->is_boolean()) {
     damping = node->as_boolean()->get() ? 1.0 : 0.0;
     return;
   }
-  reader.read("damping", damping, {0.0, 1000.0});
+  const std::optional<double> value = node->is_number() ? node->value<double>() : std::nullopt;
+  if (!value || !(*value >= 0.0 && *value <= 1000.0)) {
+    reader.fail(*node, "damping", "true, false, or a number from 0 to 1000");
+  }
+  damping = *value;
 }
 
 // Words that `integrator` may be for a method, for an error that lists them; empty for the exact motion, which takes no steps.
@@ -161,15 +168,21 @@ Expectation read_expectation(const toml::table& table, const std::string& path, 
 const toml::array* tables(TableReader& reader, std::string_view key) {
   const toml::node* node = reader.node(key);
   if (node == nullptr) return nullptr;
-  if (!node->is_array_of_tables()) reader.fail(*node, key, fmt::format("one or more tables [[{}]]", key));
-  return node->as_array();
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->empty()) reader.fail(*node, key, fmt::format("one or more tables [[{}]]", key));
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const toml::node& one = (*list)[i];
+    if (!one.is_table()) reader.fail(one, fmt::format("{}.{}", key, i), fmt::format("a table [[{}]]", key));
+  }
+  return list;
 }
 
 Scene read_scene(const toml::table& table) {
   TableReader reader(table, "");
   Scene scene;
   reader.read("title", scene.title);
-  if (scene.title.empty()) reader.fail_missing("title", "a text in quotes");
+  if (!reader.has("title")) reader.fail_missing("title", "a text in quotes");
+  if (scene.title.empty()) reader.fail(*reader.node("title"), "title", "a text in quotes, not empty");
   reader.read("caption", scene.caption);
   int seed = 1;
   reader.read("seed", seed, 0, std::numeric_limits<int>::max());
@@ -227,6 +240,12 @@ void apply_override(toml::table& scene, const std::string& text) {
     quoted << "value = " << toml::value<std::string>(value_text);
     value = parse(quoted.str(), source);
   }
+  if (value.size() != 1) fail("allowed: one value");
+  // What is put into the scene knows where it came from, key and value, for the messages.
+  const auto put = [&source](toml::table& table, std::string_view key, toml::node& node) {
+    const toml::table keyed = parse(fmt::format("'{}' = 0", key), source);
+    table.insert_or_assign(keyed.cbegin()->first, std::move(node));
+  };
   toml::node* at = &scene;
   std::string_view path = std::string_view(text).substr(0, equals);
   while (true) {
@@ -243,13 +262,13 @@ void apply_override(toml::table& scene, const std::string& text) {
       at = list->get(*i);
     } else if (toml::table* table = at->as_table()) {
       if (last) {
-        const toml::table keyed = parse(fmt::format("'{}' = 0", key), source);  // a key that knows where it came from
-        table->insert_or_assign(keyed.cbegin()->first, std::move(*value.get("value")));
+        put(*table, key, *value.get("value"));
         return;
       }
       if (!table->contains(key)) {
         if (key == "book" || key == "expect") fail(fmt::format("the scene has no {}", key));
-        table->insert_or_assign(key, toml::table{});
+        toml::table empty = parse("value = {}", source);
+        put(*table, key, *empty.get("value"));
       }
       at = table->get(key);
     } else {

@@ -92,6 +92,15 @@ BookFrame non_finite_frame(const BookFrame& before) {
   return f;
 }
 
+// Squares overflow long before the corners do: then the corners are still numbers, but what is measured on them is not.
+bool overflown(const BookFrame& f) {
+  for (const double value : {f.kinetic_energy, f.elastic_energy, f.L_W.x(), f.L_W.y(), f.L_W.z(), f.stretch,
+                             f.largest_singular_value, f.orthogonality_defect}) {
+    if (!std::isfinite(value)) return true;
+  }
+  return std::isinf(f.energy_ratio) || std::isinf(f.angular_momentum_ratio);  // 0 / 0 for a book that does not turn
+}
+
 // Measures one book, frame after frame.
 class Recorder {
  public:
@@ -108,7 +117,7 @@ class Recorder {
     const bool first = track_.frames.empty();
     const Corners corners_W = book.corners_W();
     const double extent_now = extent(corners_W, corners_B_);
-    if (!std::isfinite(extent_now) && !first) {
+    if (!first && (!std::isfinite(extent_now) || !track_.frames.back().corners_W.allFinite())) {
       push(non_finite_frame(track_.frames.back()));
       return;
     }
@@ -150,7 +159,7 @@ class Recorder {
     const double start_energy = start.kinetic_energy + start.elastic_energy;
     f.energy_ratio = (f.kinetic_energy + f.elastic_energy) / start_energy;
     f.angular_momentum_ratio = f.L_W.norm() / start.L_W.norm();
-    push(f);
+    push(!first && overflown(f) ? non_finite_frame(track_.frames.back()) : f);
   }
 
   BookTrack take() { return std::move(track_); }

@@ -34,13 +34,23 @@ std::string location(const toml::source_region& source) {
 std::string shown(const toml::node& node) {
   if (node.is_table()) return "a table";
   if (node.is_array_of_tables()) return "a list of tables";
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  node.visit([&out](const auto& n) { out << n; });
-  std::string text = out.str();
-  constexpr std::size_t longest = 60;
-  if (text.size() > longest) text = text.substr(0, longest) + " ...";
-  return text;
+  std::string text;
+  if (const toml::array* list = node.as_array()) {
+    std::vector<std::string> each;
+    for (const toml::node& one : *list) each.push_back(shown(one));
+    text = fmt::format("[{}]", fmt::join(each, ", "));
+  } else if (const auto* number = node.as_floating_point()) {
+    text = fmt::format("{:#}", number->get());  // the shortest text that means this number
+  } else {
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    node.visit([&out](const auto& n) { out << n; });
+    text = out.str();
+  }
+  std::size_t length = 60;
+  if (text.size() <= length) return text;
+  while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) --length;  // no letter is cut in two
+  return text.substr(0, length) + " ...";
 }
 
 std::string TableReader::full_key(std::string_view key) const {

@@ -1,9 +1,10 @@
-// The three methods once more, straight from the paper's formulas: the second opinion that every step is checked against.
+// The three methods once more, straight from the paper's formulas: the second opinion that every step is checked
+// against.
 //
-// Plain arrays and loops, no Eigen; every F_ij computed on its own, without Newton's third law (an 8 x 8 matrix of forces); SVD
-// normalization replaced by what it computes, the orthogonal factor of the polar decomposition, by Newton's iteration
-// X <- (X + X^-T) / 2; quaternion product by Hamilton's table. Same units and frames as dynamics/book.h.
-// Sources: paper sections 3 and 4; Higham, SIAM J. Sci. Stat. Comput. 7 (1986) 1160.
+// Plain arrays and loops, no Eigen; every F_ij computed on its own, without Newton's third law (an 8 x 8 matrix of
+// forces); SVD normalization replaced by what it computes, the orthogonal factor of the polar decomposition, by
+// Newton's iteration X <- (X + X^-T) / 2; quaternion product by Hamilton's table. Same units and frames as
+// dynamics/book.h. Sources: paper sections 3 and 4; Higham, SIAM J. Sci. Stat. Comput. 7 (1986) 1160.
 #pragma once
 
 #include <array>

@@ -24,7 +24,9 @@ struct Mode {
   bool damp;
 };
 
-std::string mode_name(const testing::TestParamInfo<Mode>& info) { return info.param.name; }
+std::string mode_name(const testing::TestParamInfo<Mode>& info) {
+  return info.param.name;
+}
 
 constexpr Mode modes[] = {{"normalized_damped", true, 1, true},
                           {"normalized_undamped", true, 1, false},
@@ -91,7 +93,7 @@ TEST_P(EveryStep, of_the_springs_is_the_papers) {
   EXPECT_LE(worst, tolerance(1e-12));
 }
 
-// Measured: at most 1.6e-15.
+// Measured: at most 8.7e-15.
 TEST_P(EveryStep, of_the_matrix_is_the_papers) {
   double worst = 0.0;
   for (int start = 1; start <= starts; ++start) {
@@ -107,7 +109,7 @@ TEST_P(EveryStep, of_the_matrix_is_the_papers) {
   EXPECT_LE(worst, tolerance(1e-12));
 }
 
-// Measured: at most 1.6e-15.
+// Measured: at most 2.8e-15.
 TEST_P(EveryStep, of_the_quaternion_is_the_papers) {
   double worst = 0.0;
   for (int start = 1; start <= starts; ++start) {
@@ -127,11 +129,12 @@ TEST_P(EveryStep, of_the_quaternion_is_the_papers) {
 
 INSTANTIATE_TEST_SUITE_P(Modes, EveryStep, testing::ValuesIn(modes), mode_name);
 
-// A fast, soft book: its springs hold more than 0.9 E0, where the printed root would be of a negative number.
+// A soft book that vibrates: its springs hold more than 0.9 E0, where the printed root would be of a negative number.
 TEST(EnergyFloor, bites_as_in_the_naive_formulation) {
   BookOptions options;
-  options.omega_W = Eigen::Vector3d(3.0, 1.0, 0.5);
+  options.omega_W = Eigen::Vector3d(1.0, 0.3, 0.2);
   options.damping = 0.0;
+  options.stiffness = 1.0;
   SpringBook book(options);
   NaiveSprings naive(options);
   const double E0 = naive.E0;
@@ -139,18 +142,19 @@ TEST(EnergyFloor, bites_as_in_the_naive_formulation) {
   for (int n = 0; n < steps; ++n) {
     const double elastic_before = book.elastic_energy();
     const long hits_before = book.floor_hits();
-    book.step(1.0 / 60.0);
-    naive.step(1.0 / 60.0);
-    worst = std::max({worst, relative_difference(book.corners_W(), naive.x), relative_difference(book.velocities_W(), naive.v)});
+    book.step(0.1);
+    naive.step(0.1);
+    worst = std::max(
+        {worst, relative_difference(book.corners_W(), naive.x), relative_difference(book.velocities_W(), naive.v)});
     const bool bit = elastic_before > 0.9 * E0;
     EXPECT_EQ(book.floor_hits() - hits_before, bit ? 1 : 0) << "step " << n;
-    // Measured: 7e-16 (mean velocity is 0 to rounding, so that its removal takes no energy).
+    // Measured: 1.8e-15 (mean velocity is 0 to rounding, so that its removal takes no energy).
     EXPECT_NEAR(book.kinetic_energy() / (bit ? 0.1 * E0 : E0 - elastic_before), 1.0, tolerance(1e-12));
   }
   EXPECT_EQ(book.floor_hits(), naive.floor_hits);
-  EXPECT_GE(book.floor_hits(), 5);
+  EXPECT_GE(book.floor_hits(), 20);
   EXPECT_LT(book.floor_hits(), 50);
-  EXPECT_LE(worst, tolerance(1e-12));  // measured: 5e-14
+  EXPECT_LE(worst, tolerance(1e-12));  // measured: 2.8e-14
 }
 
 // Neither the naive nor the room's own formulation has a direction for two particles in one place.
@@ -173,18 +177,19 @@ TEST(Coincident, particles_pull_each_other_nowhere) {
   for (int i = 0; i < 8; ++i) {
     const Vector F = naive.force(i);
     for (int d = 0; d < 3; ++d) {
-      // Measured: 4e-16.
+      // Measured: 2.2e-16.
       EXPECT_NEAR(forces.F_W(d, i) / largest, F[static_cast<std::size_t>(d)] / largest, tolerance(1e-14));
     }
   }
-  EXPECT_NEAR(forces.elastic_energy / naive.elastic_energy(), 1.0, tolerance(1e-14));  // measured: 2e-16
+  EXPECT_NEAR(forces.elastic_energy / naive.elastic_energy(), 1.0, tolerance(1e-14));  // measured: 2.2e-16
 
   // All eight in one place: no forces at all, and every spring as short as it can be.
   const SpringForces none = book.forces(Corners::Ones(), v);
   EXPECT_EQ(none.F_W, Corners::Zero());
   double energy = 0.0;
   for (std::size_t i = 0; i < 8; ++i) {
-    for (std::size_t j = 0; j < i; ++j) energy += 0.5 * options.stiffness * naive.rest_length[i][j] * naive.rest_length[i][j];
+    for (std::size_t j = 0; j < i; ++j)
+      energy += 0.5 * options.stiffness * naive.rest_length[i][j] * naive.rest_length[i][j];
   }
   EXPECT_NEAR(none.elastic_energy / energy, 1.0, tolerance(1e-14));  // measured: 0
 }

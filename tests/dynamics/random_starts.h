@@ -49,6 +49,8 @@ inline BookOptions random_options(std::uint64_t seed) {
 }
 
 // A step in the proportion of the original's 0.1 / 6 to its springs, k = 10 and m = 1: damped and stable.
-inline double spring_step(const BookOptions& options) { return 0.05 * std::sqrt(options.particle_mass / options.stiffness); }
+inline double spring_step(const BookOptions& options) {
+  return 0.05 * std::sqrt(options.particle_mass / options.stiffness);
+}
 
 }  // namespace bookspin
