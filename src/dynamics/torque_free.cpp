@@ -147,7 +147,7 @@ TorqueFree::TorqueFree(const Eigen::Vector3d& I_B, const Eigen::Quaterniond& q_W
   const Dd gap = X_a - X_c;
   if (gap.hi > 0x1p-96 * X_a.hi) motion.k_prime = sqrt(gap) * sqrt(X_a + X_c) / (sqrt(G_a) * A_a);
   motion.k = sqrt(G_c / G_a) * A_c / A_a;
-  motion.lambda = A_a * sqrt(abs(I[b] - I[a]) / (I[a] * I[b]) * (abs(I[c] - I[a]) / (I[a] * I[c])));
+  motion.lambda = A_a * sqrt(abs(I[b] - I[a]) / I[b] / I[a]) * sqrt(abs(I[c] - I[a]) / I[c] / I[a]);
   motion.tangent = A_c / (L + A_a);
   motion.rate_at_zero = (twice_energy + A_a * L / I[a]) / ((L + A_a) * 2.0);
   motion.s = I[a] < I[c] ? 1.0 : -1.0;
