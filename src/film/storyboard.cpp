@@ -14,7 +14,8 @@ namespace bookspin {
 namespace {
 
 constexpr double vertical_fov = 0.5235987755982988;  // 30 degrees, as in the original program
-constexpr double margin = 1.06;                      // free space about the motion
+constexpr double margin = 1.04;                      // free space about the motion
+constexpr double middle_band = 0.88;                 // of the height: above it stands the title, below it the figures
 constexpr double name_offset = 1.16;                 // of a name below its book, in lengths of its half diagonal
 constexpr double head_up_line = 0.035;               // height of a line of figures; all in frame heights
 constexpr double head_up_column = 0.3;               // from one figure to the next
@@ -34,8 +35,8 @@ Camera camera_that_frames(const std::vector<Sphere>& spheres, const Eigen::Vecto
   const Eigen::Vector3d back_W = from_W.normalized();
   const Eigen::Vector3d right_W = Eigen::Vector3d::UnitY().cross(back_W).normalized();
   const Eigen::Vector3d up_W = back_W.cross(right_W);
-  const double half_height = vertical_fov / 2.0;
-  const double half_width = std::atan(aspect * std::tan(half_height));
+  const double half_height = std::atan(middle_band * std::tan(vertical_fov / 2.0));
+  const double half_width = std::atan(aspect * std::tan(vertical_fov / 2.0));
   double distance = 0.0;
   for (const auto& [axis_W, half] : {std::pair{right_W, half_width}, std::pair{up_W, half_height}}) {
     // How far the spheres reach towards the two side planes that face along +-axis, were the eye at the target.

@@ -30,6 +30,8 @@ constexpr std::array table{
              [](const BookFrame& f) { return f.blend_defect; }},
     Quantity{"pulsations", "", "swellings by 10 % or more so far, each with its shrinking", "pulsations", "{:.0f}",
              [](const BookFrame& f) { return static_cast<double>(f.pulsations); }},
+    Quantity{"angle_error", "radians", "angle to the exact rigid motion from the same start", "error", "{:.3f} rad",
+             [](const BookFrame& f) { return f.angle_error; }},
     Quantity{"extent", "", "farthest corner, relative to rest", "extent", "{:.3f}",
              [](const BookFrame& f) { return f.extent; }},
     Quantity{"floor_hits", "", "how often the normalization's floor of 0.1 E0 has bitten so far", "floor hits",

@@ -14,7 +14,7 @@
 
 namespace bookspin {
 
-enum class Method { springs, matrix, quaternion };
+enum class Method { springs, matrix, quaternion, exact };
 enum class Style { solid, ghost };
 
 struct Clip {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <fstream>
@@ -17,9 +18,11 @@
 namespace bookspin {
 namespace {
 
-constexpr std::array<std::string_view, 3> method_names{"springs", "matrix", "quaternion"};
+constexpr std::array<std::string_view, 4> method_names{"springs", "matrix", "quaternion", "exact"};
 constexpr std::array<std::string_view, 2> style_names{"solid", "ghost"};
-constexpr std::array<std::string_view, 1> integrator_names{"explicit_euler"};
+constexpr std::array<std::string_view, 10> integrator_names{"explicit_euler", "semi_implicit_euler", "velocity_verlet", "rk4",
+                                                            "composition8",   "splitting2",          "splitting4",      "dmv2",
+                                                            "dmv6",           "dmv10"};
 
 constexpr int most_frames = 100000;       // half an hour at 60 frames a second
 constexpr int most_book_frames = 400000;  // books times frames: what a trajectory may take of memory
@@ -90,6 +93,35 @@ void read_show(TableReader& reader, Show& show) {
   for (const std::size_t i : reader.read_words("show", words)) *parts[i].second = true;
 }
 
+// Words that `integrator` may be for a method, for an error that lists them; empty for the exact motion, which takes no steps.
+std::vector<std::string_view> integrators_of(Method method, bool damped) {
+  switch (method) {
+    case Method::springs:
+      if (damped) return {"explicit_euler", "semi_implicit_euler", "rk4"};
+      return {"explicit_euler", "semi_implicit_euler", "velocity_verlet", "rk4", "composition8"};
+    case Method::matrix:
+      return {"explicit_euler"};
+    case Method::quaternion:
+      return {"explicit_euler", "rk4", "splitting2", "splitting4", "dmv2", "dmv6", "dmv10"};
+    case Method::exact:
+      break;
+  }
+  return {};
+}
+
+void check_integrator(TableReader& reader, const BookSetup& book) {
+  const toml::node* node = reader.node("integrator");
+  if (node == nullptr) return;
+  const bool damped = book.options.damping > 0.0;
+  const std::vector<std::string_view> allowed = integrators_of(book.method, damped);
+  const std::string_view found = integrator_names[static_cast<std::size_t>(book.options.integrator)];
+  if (std::find(allowed.begin(), allowed.end(), found) != allowed.end()) return;
+  if (allowed.empty()) reader.fail(*node, "integrator", "none: the exact motion takes no steps");
+  const std::string_view with = book.method == Method::springs && damped ? " with damping" : "";
+  const std::string_view hint = with.empty() ? "" : "; velocity_verlet and composition8 need damping = false";
+  reader.fail(*node, "integrator", fmt::format("for {}{} one of {}{}", name_of(book.method), with, fmt::join(allowed, ", "), hint));
+}
+
 BookSetup read_book(const toml::table& table, const std::string& path) {
   TableReader reader(table, path);
   BookSetup book;
@@ -103,6 +135,7 @@ BookSetup read_book(const toml::table& table, const std::string& path) {
   reader.read("normalize", o.normalize);
   reader.read("normalize_every", o.normalize_every, 1, 1000000);
   read_damping(reader, o.damping);
+  check_integrator(reader, book);
   reader.read("stiffness", o.stiffness, positive());
   reader.read("particle_mass", o.particle_mass, positive());
   reader.read("position", book.position_W, signed_number());

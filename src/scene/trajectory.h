@@ -35,6 +35,7 @@ struct BookFrame {
   double largest_singular_value;    // of the deformation: how much the book has grown where it has grown most
   double orthogonality_defect;      // largest entry of |F^T F - 1|, F the deformation
   double blend_defect;              // largest entry of |F - ((1 - s^2) 1 + s^2 R(q / s))|, s = |q|; NaN but for quaternions
+  double angle_error;               // radians from q_WB to the exact rigid motion from the same start, 0 ... pi
   long floor_hits;                  // springs: how often the normalization's floor of 0.1 E0 has bitten so far
   bool exploded;
 };
