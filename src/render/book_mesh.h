@@ -28,7 +28,8 @@ struct BookMesh {
   std::array<std::vector<std::uint16_t>, book_part_count> triangles;  // vertex indices, three a triangle, by part
 };
 
-BookMesh hardcover();
+// fineness 1 does for a book that is hardly bent, as each triangle costs over a microsecond a frame.
+BookMesh hardcover(int fineness);
 BookMesh cuboid();  // the same faces, flat and at full size: what a ghost is made of
 
 }  // namespace bookspin

@@ -77,7 +77,8 @@ BookPainter::BookPainter(const GladGLContext& gl, const std::filesystem::path& a
       ghost_(gl, assets / "shaders" / "book.vert", assets / "shaders" / "ghost.frag"),
       solid_uniforms_(find_uniforms(solid_)),
       ghost_uniforms_(find_uniforms(ghost_)),
-      hardcover_(upload(gl, hardcover())),
+      hardcover_(upload(gl, hardcover(1))),
+      fine_hardcover_(upload(gl, hardcover(4))),
       cuboid_(upload(gl, cuboid())) {
   const std::array<const char*, book_part_count> names{"pages.png", "front.png", "back.png", "spine.png"};
   for (std::size_t i = 0; i < book_part_count; ++i) {
@@ -126,7 +127,7 @@ void BookPainter::draw_solid(const View& view, const Corners& corners_W, bool wi
   } else {
     gl_->Disable(GL_DEPTH_TEST);
   }
-  draw(view, corners_W, hardcover_, solid_uniforms_);
+  draw(view, corners_W, is_unbent(corners_W) ? hardcover_ : fine_hardcover_, solid_uniforms_);
 }
 
 void BookPainter::draw_ghost(const View& view, const Corners& corners_W) {

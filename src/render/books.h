@@ -49,7 +49,7 @@ class BookPainter {
   const GladGLContext* gl_;
   Program solid_, ghost_;
   Uniforms solid_uniforms_, ghost_uniforms_;
-  Mesh hardcover_, cuboid_;
+  Mesh hardcover_, fine_hardcover_, cuboid_;  // the fine one for bent books
   std::array<Handle, book_part_count> textures_;
 };
 
