@@ -1,0 +1,31 @@
+# The front door. Each target works alone on a fresh Debian or Ubuntu: it installs what is missing, builds, and runs.
+
+.PHONY: figures test golden bench clean build packages
+
+figures: build
+	build/bookspin render --update videos/*.toml -o videos/site
+
+test: everything
+	ctest --preset release
+
+# Accept the frames that the tests draw as the new goldens. Then look at them, and commit them alone, with the reason.
+golden: everything
+	BOOKSPIN_ACCEPT_GOLDENS=1 ctest --preset release -R '^(image|render|film)$$'
+	git status --short tests/golden
+
+# What a frame costs, the rate of the whole job, peak memory.
+bench: everything
+	build/stages_bench
+
+clean:
+	rm -rf build build-debug build-sanitize videos/site
+
+.PHONY: everything configure
+everything: configure
+	cmake --build build
+build: configure
+	cmake --build build --target bookspin
+configure: packages
+	@cmake --preset release --log-level=WARNING
+packages:
+	@./install-packages

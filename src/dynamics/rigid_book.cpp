@@ -1,0 +1,64 @@
+#include "dynamics/rigid_book.h"
+
+#include <Eigen/SVD>
+
+namespace bookspin {
+namespace {
+
+Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d m;
+  m << 0.0, -v.z(), v.y(),  //
+      v.z(), 0.0, -v.x(),   //
+      -v.y(), v.x(), 0.0;
+  return m;
+}
+
+double rotational_energy(const Eigen::Matrix3d& R_WB, const Eigen::Vector3d& I_B, const Eigen::Vector3d& L_W) {
+  return 0.5 * L_W.dot(angular_velocity_W(R_WB, I_B, L_W));
+}
+
+}  // namespace
+
+Eigen::Vector3d angular_velocity_W(const Eigen::Matrix3d& R_WB, const Eigen::Vector3d& I_B,
+                                   const Eigen::Vector3d& L_W) {
+  const Eigen::Vector3d L_B = R_WB.transpose() * L_W;
+  const Eigen::Vector3d omega_B = L_B.cwiseQuotient(I_B);
+  return R_WB * omega_B;
+}
+
+MatrixBook::MatrixBook(const BookOptions& options)
+    : corners_B_(corners_at_rest(options.size)),
+      I_B_(principal_moments(options.size, options.particle_mass)),
+      L_W_(I_B_.cwiseProduct(options.omega_W)),
+      normalize_every_(options.normalize ? options.normalize_every : 0) {}
+
+void MatrixBook::step(double h) {
+  R_WB_ += h * (cross_matrix(angular_velocity_W(R_WB_, I_B_, L_W_)) * R_WB_);
+  ++steps_;
+  // det(R + h [omega]x R) = det R (1 + h^2 omega^2) > 0: U V^T is a rotation, never a reflection.
+  if (normalize_every_ > 0 && steps_ % normalize_every_ == 0 && R_WB_.allFinite()) {
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(R_WB_, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    R_WB_ = svd.matrixU() * svd.matrixV().transpose();
+  }
+}
+
+double MatrixBook::kinetic_energy() const { return rotational_energy(R_WB_, I_B_, L_W_); }
+
+QuaternionBook::QuaternionBook(const BookOptions& options)
+    : corners_B_(corners_at_rest(options.size)),
+      I_B_(principal_moments(options.size, options.particle_mass)),
+      L_W_(I_B_.cwiseProduct(options.omega_W)),
+      normalize_every_(options.normalize ? options.normalize_every : 0) {}
+
+void QuaternionBook::step(double h) {
+  const Eigen::Vector3d omega_W = angular_velocity_W(q_WB_.toRotationMatrix(), I_B_, L_W_);
+  const Eigen::Quaterniond rate(0.0, omega_W.x(), omega_W.y(), omega_W.z());
+  q_WB_.coeffs() += 0.5 * h * (rate * q_WB_).coeffs();
+  ++steps_;
+  // stableNorm: a plain |q| overflows at 1e154 and would leave q = 0, which looks like a book at rest.
+  if (normalize_every_ > 0 && steps_ % normalize_every_ == 0) q_WB_.coeffs() /= q_WB_.coeffs().stableNorm();
+}
+
+double QuaternionBook::kinetic_energy() const { return rotational_energy(q_WB_.toRotationMatrix(), I_B_, L_W_); }
+
+}  // namespace bookspin

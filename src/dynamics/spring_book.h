@@ -1,0 +1,53 @@
+// The book as eight particles and 28 springs, one between each pair (paper section 3).
+//
+//   F_ij = -(c xhat_ij . (v_i - v_j) + k (|x_i - x_j| - l_ij)) xhat_ij,   F_ji = -F_ij,   c = damping 2 sqrt(k m)
+//
+// Explicit Euler, in the original program's order: forces from the old positions and velocities; x += h v; v += h F / m.
+// Normalization, every n-th step: v is scaled so that the kinetic energy becomes max(0.1 E0, E0 - elastic energy of the OLD
+// positions), then mean position and mean velocity are taken away. The floor of 0.1 E0 answers the printed formula's root of a
+// negative number; `floor_hits` counts how often it bites. Coincident particles have no direction: their spring pulls nothing.
+// World frame. Nothing throws; a state that has grown past the largest double is non-finite, and stays so.
+#pragma once
+
+#include <array>
+
+#include "dynamics/book.h"
+
+namespace bookspin {
+
+struct SpringForces {
+  Corners F_W;           // force on each particle, world frame
+  double elastic_energy; // sum of k r^2 / 2 over the 28 springs
+};
+
+class SpringBook {
+ public:
+  explicit SpringBook(const BookOptions& options);
+
+  void step(double h);  // h: unit of time
+
+  [[nodiscard]] const Corners& corners_W() const { return x_W_; }
+  [[nodiscard]] const Corners& velocities_W() const { return v_W_; }
+  [[nodiscard]] Eigen::Vector3d angular_momentum_W() const;  // about the origin
+  [[nodiscard]] double kinetic_energy() const;
+  [[nodiscard]] double elastic_energy() const { return forces(x_W_, v_W_).elastic_energy; }
+  [[nodiscard]] long floor_hits() const { return floor_hits_; }
+
+  [[nodiscard]] SpringForces forces(const Corners& x_W, const Corners& v_W) const;
+
+ private:
+  void normalize(double elastic_energy_before);
+
+  double stiffness_;
+  double particle_mass_;
+  double damping_;                     // c, mass over time
+  int normalize_every_;                // 0: never
+  std::array<double, 28> rest_length_; // pairs (i, j), i < j, row by row
+  Corners x_W_;
+  Corners v_W_;
+  double start_energy_;                // E0: kinetic, since the springs start at rest
+  long steps_ = 0;
+  long floor_hits_ = 0;
+};
+
+}  // namespace bookspin

@@ -1,0 +1,150 @@
+#include "film/storyboard.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "film/overlays.h"
+#include "scene/quantities.h"
+
+namespace bookspin {
+namespace {
+
+constexpr double vertical_fov = 0.5235987755982988;  // 30 degrees, as in the original program
+constexpr double margin = 1.06;                      // free space about the motion
+constexpr double name_offset = 1.16;                 // of a name below its book, in lengths of its half diagonal
+constexpr double head_up_line = 0.035;               // height of a line of figures; all in frame heights
+constexpr double head_up_column = 0.3;               // from one figure to the next
+
+struct Sphere {
+  Eigen::Vector3d center_W;
+  double radius;
+};
+
+// The camera from which all spheres lie inside the four side planes of the picture.
+Camera camera_that_frames(const std::vector<Sphere>& spheres, const Eigen::Vector3d& from_W, double aspect) {
+  Eigen::AlignedBox3d box;
+  for (const Sphere& s : spheres) box.extend(s.center_W);
+  Camera camera;
+  camera.vertical_fov = vertical_fov;
+  camera.target_W = box.center();
+  const Eigen::Vector3d back_W = from_W.normalized();
+  const Eigen::Vector3d right_W = Eigen::Vector3d::UnitY().cross(back_W).normalized();
+  const Eigen::Vector3d up_W = back_W.cross(right_W);
+  const double half_height = vertical_fov / 2.0;
+  const double half_width = std::atan(aspect * std::tan(half_height));
+  double distance = 0.0;
+  for (const auto& [axis_W, half] : {std::pair{right_W, half_width}, std::pair{up_W, half_height}}) {
+    // How far the spheres reach towards the two side planes that face along +-axis, were the eye at the target.
+    const auto reach = [&](double sign) {
+      double farthest = -std::numeric_limits<double>::infinity();
+      for (const Sphere& s : spheres) {
+        const Eigen::Vector3d outward_W = sign * std::cos(half) * axis_W + std::sin(half) * back_W;
+        farthest = std::max(farthest, outward_W.dot(s.center_W - camera.target_W) + margin * s.radius);
+      }
+      return farthest;
+    };
+    const double plus = reach(1.0);
+    const double minus = reach(-1.0);
+    camera.target_W += axis_W * ((plus - minus) / (2.0 * std::cos(half)));  // as much room on one side as on the other
+    distance = std::max(distance, (plus + minus) / (2.0 * std::sin(half)));
+  }
+  camera.eye_W = camera.target_W + distance * back_W;
+  return camera;
+}
+
+double half_diagonal(const BookSetup& setup) {
+  return 0.5 * setup.options.size.norm();
+}
+
+Eigen::Vector3d name_anchor_W(const BookSetup& setup) {
+  return setup.position_W - Eigen::Vector3d(0.0, name_offset * half_diagonal(setup), 0.0);
+}
+
+}  // namespace
+
+Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, double aspect)
+    : scene_(&scene), trajectory_(&trajectory), aspect_(aspect) {
+  std::vector<Sphere> spheres;
+  for (std::size_t b = 0; b < scene.books.size(); ++b) {
+    const BookSetup& setup = scene.books[b];
+    const double unit = half_diagonal(setup);
+    double farthest = 1.0;
+    for (int n = 0; n < scene.clip.frames; ++n) farthest = std::max(farthest, trajectory.books[b].shown(n).extent);
+    spheres.push_back({setup.position_W, std::max(farthest * unit, overlay_reach(setup))});
+    if (!setup.name.empty()) spheres.push_back({name_anchor_W(setup), 0.1 * unit});
+    if (!setup.show.axes) continue;
+    for (int n = 0; n < scene.clip.frames; ++n) {
+      Shot shot;
+      add_overlays(shot, setup, trajectory.books[b], n);
+      for (const Label& label : shot.labels) spheres.push_back({*label.anchor_W, 0.12 * unit});
+    }
+  }
+  camera_ = camera_that_frames(spheres, scene.view.from, aspect);
+}
+
+Shot Storyboard::shot(int frame) const {
+  Shot shot;
+  shot.camera = camera_;
+  shot.labels.push_back(make_label(scene_->title, 0.04, palette::grey, {0.03, 0.07}, Align::left));
+  std::string notice;
+  for (std::size_t b = 0; b < scene_->books.size(); ++b) {
+    const BookSetup& setup = scene_->books[b];
+    const BookTrack& track = trajectory_->books[b];
+    const BookFrame& now = track.shown(frame);
+    shot.books.push_back({now.corners_W.colwise() + setup.position_W,
+                          setup.style == Style::ghost ? BookStyle::ghost : BookStyle::solid});
+    add_overlays(shot, setup, track, frame);
+    if (!setup.name.empty()) {
+      Label name = make_label(setup.name, 0.042, palette::light, {0.0, 0.0});
+      name.anchor_W = name_anchor_W(setup);
+      shot.labels.push_back(name);
+    }
+    if (track.exploded_frame && frame >= *track.exploded_frame) {
+      notice +=
+          fmt::format("{}{}exploded at t = {:.4g}", notice.empty() ? "" : "   ",
+                      setup.name.empty() ? "" : setup.name + " ", *track.exploded_frame * scene_->clip.time_per_frame);
+    }
+  }
+  if (!notice.empty()) {
+    shot.labels.push_back(make_label(notice, 0.04, palette::yellow, {0.03, 0.13}, Align::left));
+  }
+  add_head_up(shot, frame);
+  return shot;
+}
+
+// The time, and the figures that the script names: in one line for one book, below each book's name for several.
+void Storyboard::add_head_up(Shot& shot, int frame) const {
+  const std::vector<const Quantity*>& quantities = scene_->view.head_up;
+  if (quantities.empty()) return;
+  const auto add = [&shot](const std::string& text, const Eigen::Vector2d& position, Align align) -> Label& {
+    shot.labels.push_back(make_label(text, head_up_line, palette::light, position, align));
+    shot.labels.back().tabular = true;
+    return shot.labels.back();
+  };
+  double x = 0.03;
+  add(fmt::format("t {:.1f}", frame * scene_->clip.time_per_frame), {x, 0.95}, Align::left);
+  const bool one = std::count_if(scene_->books.begin(), scene_->books.end(),
+                                 [](const BookSetup& book) { return book.style == Style::solid; }) <= 1;
+  for (std::size_t b = 0; b < scene_->books.size(); ++b) {
+    const BookSetup& setup = scene_->books[b];
+    if (setup.style == Style::ghost && scene_->books.size() > 1) continue;
+    const BookFrame& now = trajectory_->books[b].shown(frame);
+    double y = 0.05;
+    for (const Quantity* quantity : quantities) {
+      const std::string text = head_up_text(*quantity, now);
+      if (one) {
+        x += head_up_column / aspect_;
+        add(text, {x, 0.95}, Align::left);
+      } else {
+        add(text, {0.0, y}, Align::center).anchor_W = name_anchor_W(setup);
+        y += 0.05;
+      }
+    }
+  }
+}
+
+}  // namespace bookspin

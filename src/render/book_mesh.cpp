@@ -1,0 +1,242 @@
+#include "render/book_mesh.h"
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace bookspin {
+namespace {
+
+constexpr double width = 1.878, height = 2.9085, thickness = 0.5;
+constexpr double overhang_x = 0.05 / width;  // boards stand out over the pages
+constexpr double overhang_y = 0.05 / height;
+constexpr double board = 0.042 / thickness;     // thickness of a board
+constexpr double shell = 0.030 / width;         // thickness of the spine
+constexpr double bulge = 0.105 / width;         // depth of the spine's round
+constexpr double groove_width = 0.085 / width;  // the hinge beside the spine
+constexpr double groove_depth = 0.020 / thickness;
+constexpr double fore_edge_hollow = 0.045 / width;
+constexpr int rows = 4;  // divisions along v: each triangle costs over a microsecond a frame
+constexpr int spine_steps = 8;
+constexpr int groove_steps = 4;
+constexpr int cover_steps = 3;
+
+struct Point {
+  double u, w;
+};
+
+// A smooth curve in the (u, w) plane with its outward normals, and a texture coordinate along it.
+struct Profile {
+  std::vector<Point> points, normals;
+  std::vector<double> texture;
+};
+
+struct Vertex {
+  double u, v, w, nu, nv, nw, s, t;
+  double shade = 1;
+};
+
+class Builder {
+ public:
+  // A grid of columns x rows vertices; position (column, row) -> vertex. Columns run right and rows up seen from
+  // outside.
+  void grid(BookPart part, int columns, int row_count, const std::function<Vertex(int, int)>& vertex) {
+    const std::size_t first = mesh.vertices.size();
+    for (int row = 0; row < row_count; ++row) {
+      for (int column = 0; column < columns; ++column) {
+        const Vertex p = vertex(column, row);
+        const auto f = [](double x) { return static_cast<float>(x); };
+        mesh.vertices.push_back({{f(p.u), f(p.v), f(p.w)}, {f(p.nu), f(p.nv), f(p.nw)}, {f(p.s), f(p.t)}, f(p.shade)});
+      }
+    }
+    auto& triangles = mesh.triangles[static_cast<std::size_t>(part)];
+    for (int row = 0; row + 1 < row_count; ++row) {
+      for (int column = 0; column + 1 < columns; ++column) {
+        const auto index = [&](int c, int r) {
+          return static_cast<std::uint16_t>(first + static_cast<std::size_t>(r * columns + c));
+        };
+        const std::uint16_t a = index(column, row), b = index(column + 1, row);
+        const std::uint16_t c = index(column + 1, row + 1), d = index(column, row + 1);
+        triangles.insert(triangles.end(), {a, b, c, a, c, d});
+      }
+    }
+  }
+
+  // The profile drawn out along v from v0 to v1. The profile's points run right seen from outside.
+  void extrude(BookPart part, const Profile& profile, double v0, double v1, int row_count, double shade = 1) {
+    grid(part, static_cast<int>(profile.points.size()), row_count + 1, [&](int column, int row) {
+      const auto i = static_cast<std::size_t>(column);
+      const double v = v0 + (v1 - v0) * row / row_count;
+      return Vertex{profile.points[i].u,  v,     profile.points[i].w,
+                    profile.normals[i].u, 0,     profile.normals[i].w,
+                    profile.texture[i],   1 - v, shade};
+    });
+  }
+
+  BookMesh mesh;
+};
+
+// The front cover's outside from the spine to the fore-edge: the hinge's groove, then flat. The groove is in the
+// normals alone: so shallow, it is seen by its shading, and the hull stays convex.
+Profile front_outside() {
+  Profile profile;
+  for (int i = 0; i <= groove_steps; ++i) {
+    const double phase = 2 * std::numbers::pi * i / groove_steps;
+    const double slope = groove_depth * std::numbers::pi / groove_width * std::sin(phase);  // -dw/du
+    profile.points.push_back({bulge + groove_width * i / groove_steps, 1});
+    profile.normals.push_back({slope, 1});
+  }
+  const double start = bulge + groove_width;
+  for (int i = 1; i <= cover_steps; ++i) {
+    profile.points.push_back({start + (1 - start) * i / cover_steps, 1});
+    profile.normals.push_back({0, 1});
+  }
+  for (const Point& p : profile.points) profile.texture.push_back((p.u - bulge) / (1 - bulge));
+  return profile;
+}
+
+// The same on the back, from the fore-edge to the spine.
+Profile back_outside() {
+  const Profile front = front_outside();
+  Profile profile;
+  for (std::size_t i = front.points.size(); i-- > 0;) {
+    profile.points.push_back({front.points[i].u, 1 - front.points[i].w});
+    profile.normals.push_back({front.normals[i].u, -front.normals[i].w});
+    profile.texture.push_back(1 - front.texture[i]);
+  }
+  return profile;
+}
+
+// Half an ellipse from the back cover round to the front cover; inset > 0 is the inside of the spine.
+Profile spine(double inset_u, double inset_w) {
+  Profile profile;
+  const double depth = bulge - inset_u, half = 0.5 - inset_w;
+  for (int i = 0; i <= spine_steps; ++i) {
+    const double angle = std::numbers::pi * (static_cast<double>(i) / spine_steps - 0.5);
+    profile.points.push_back({bulge - depth * std::cos(angle), 0.5 + half * std::sin(angle)});
+    profile.normals.push_back({-half * std::cos(angle), depth * std::sin(angle)});
+    profile.texture.push_back(static_cast<double>(i) / spine_steps);
+  }
+  return profile;
+}
+
+// The narrow faces that close a board or the spine at the top and the bottom, between outside and inside.
+void add_rims(Builder& builder, BookPart part, const Profile& outside, const std::vector<Point>& inside) {
+  const auto columns = static_cast<int>(outside.points.size());
+  for (const bool top : {true, false}) {
+    builder.grid(part, columns, 2, [&](int column, int row) {
+      const auto i = static_cast<std::size_t>(column);
+      const Point p = (row == 0) == top ? outside.points[i] : inside[i];
+      return Vertex{p.u, top ? 1.0 : 0.0, p.w, 0, top ? 1.0 : -1.0, 0, outside.texture[i], top ? 0.004 : 0.996, 0.9};
+    });
+  }
+}
+
+void add_boards(Builder& builder) {
+  const Profile front = front_outside(), back = back_outside();
+  builder.extrude(BookPart::front, front, 0, 1, rows);
+  builder.extrude(BookPart::back, back, 0, 1, rows);
+  for (const bool is_front : {true, false}) {
+    const BookPart part = is_front ? BookPart::front : BookPart::back;
+    const Profile& outside = is_front ? front : back;
+    const double inner_w = is_front ? 1 - board : board;
+    const double outer_w = is_front ? 1 : 0;
+    std::vector<Point> inside;
+    for (const Point& p : outside.points) inside.push_back({p.u, inner_w});
+    add_rims(builder, part, outside, inside);
+
+    const double s = is_front ? 0.996 : 0.004;
+    builder.grid(part, 2, rows + 1, [&](int column, int row) {  // the fore-edge of the board
+      const double v = static_cast<double>(row) / rows;
+      const double w = (column == 0) == is_front ? outer_w : inner_w;
+      return Vertex{1, v, w, 1, 0, 0, s, 1 - v, 0.9};
+    });
+  }
+}
+
+// The insides of the boards and the spine, lined with paper, seen only where they stand out over the pages: in the
+// shade.
+void add_insides(Builder& builder) {
+  for (const bool is_front : {true, false}) {
+    const double w = is_front ? 1 - board : board;
+    const double nw = is_front ? -1 : 1;
+    builder.grid(BookPart::pages, 2, rows + 1, [&](int column, int row) {
+      const double u = (column == 0) == is_front ? 1.0 : bulge;
+      return Vertex{u, static_cast<double>(row) / rows, w, 0, 0, nw, 0.5, 0.5, 0.16};
+    });
+  }
+  const Profile inside = spine(shell, board);
+  Profile facing_in;
+  for (std::size_t i = inside.points.size(); i-- > 0;) {
+    facing_in.points.push_back(inside.points[i]);
+    facing_in.normals.push_back({-inside.normals[i].u, -inside.normals[i].w});
+    facing_in.texture.push_back(0.5);
+  }
+  builder.extrude(BookPart::pages, facing_in, 0, 1, 1, 0.14);
+}
+
+void add_spine(Builder& builder) {
+  const Profile outside = spine(0, 0);
+  const Profile inside = spine(shell, board);
+  builder.extrude(BookPart::spine, outside, 0, 1, rows);
+  add_rims(builder, BookPart::spine, outside, inside.points);
+}
+
+// The pages end a little inside the boards; towards the spine they follow its round. Texture s runs along the edge, t
+// across the leaves, so that the lines of the paper lie in the plane of the covers.
+void add_pages(Builder& builder) {
+  constexpr int across = 6;
+  const double v0 = overhang_y, v1 = 1 - overhang_y, end = 1 - overhang_x;
+  const auto w_at = [](int i) { return board + (1 - 2 * board) * i / across; };
+  const auto hollow = [&](double w) { return fore_edge_hollow * std::sqrt(1 - std::pow(2 * w - 1, 2)); };
+  builder.grid(BookPart::pages, across + 1, rows + 1,
+               [&](int column, int row) {  // fore-edge, seen from +x: right is -w
+                 const double w = w_at(across - column);
+                 const double v = v0 + (v1 - v0) * row / rows;
+                 const double tilt = fore_edge_hollow * 2 * (2 * w - 1) / std::sqrt(1 - std::pow(2 * w - 1, 2));
+                 return Vertex{end - hollow(w), v, w, 1, 0, -tilt, v, w, 1};
+               });
+  const double round = bulge - shell;
+  for (const bool top : {true, false}) {
+    constexpr int along = 4;
+    builder.grid(BookPart::pages, along + 1, across + 1, [&](int column, int row) {
+      const double w = w_at(top ? across - row : row);
+      const double span = std::sqrt(std::max(0.0, 1 - std::pow((w - 0.5) / (0.5 - board), 2)));
+      const double start = bulge - round * span;
+      const double u = start + (end - hollow(w) - start) * column / along;
+      return Vertex{u, top ? v1 : v0, w, 0, top ? 1.0 : -1.0, 0, u, w, 1};
+    });
+  }
+}
+
+}  // namespace
+
+BookMesh hardcover() {
+  Builder builder;
+  add_insides(builder);
+  add_pages(builder);
+  add_boards(builder);
+  add_spine(builder);
+  return std::move(builder.mesh);
+}
+
+BookMesh cuboid() {
+  constexpr int n = 4;
+  Builder builder;
+  const auto at = [](int i) { return static_cast<double>(i) / n; };
+  builder.grid(BookPart::front, n + 1, n + 1,
+               [&](int c, int r) { return Vertex{at(c), at(r), 1, 0, 0, 1, at(c), 1 - at(r)}; });
+  builder.grid(BookPart::back, n + 1, n + 1,
+               [&](int c, int r) { return Vertex{1 - at(c), at(r), 0, 0, 0, -1, at(c), 1 - at(r)}; });
+  builder.grid(BookPart::spine, n + 1, n + 1,
+               [&](int c, int r) { return Vertex{0, at(r), at(c), -1, 0, 0, at(c), 1 - at(r)}; });
+  builder.grid(BookPart::pages, n + 1, n + 1,
+               [&](int c, int r) { return Vertex{1, at(r), 1 - at(c), 1, 0, 0, at(r), 1 - at(c)}; });
+  builder.grid(BookPart::pages, n + 1, n + 1,
+               [&](int c, int r) { return Vertex{at(c), 1, 1 - at(r), 0, 1, 0, at(c), 1 - at(r)}; });
+  builder.grid(BookPart::pages, n + 1, n + 1,
+               [&](int c, int r) { return Vertex{at(c), 0, at(r), 0, -1, 0, at(c), at(r)}; });
+  return std::move(builder.mesh);
+}
+
+}  // namespace bookspin

@@ -1,0 +1,34 @@
+// The hardcover in the unit cube: what the trilinear map of the eight corners carries into the world.
+//
+// Unit coordinates (u, v, w) run along body x, y, z: the spine lies at u = 0, the front cover at w = 1, the top at v
+// = 1. The proportions of boards, overhang and rounding are those of a book of 1.878 x 2.9085 x 0.5. Faces are divided
+// finely enough for a sheared or twisted book to bend smoothly. Triangles wind anticlockwise seen from outside. Order:
+// the boards' insides, the pages, then what lies on the book's convex hull. No face hides one that comes after it, so
+// front faces drawn in this order need no depth buffer (as long as the map is nearly affine: see books.cpp).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace bookspin {
+
+enum class BookPart { pages, front, back, spine };  // by texture, in the order of drawing
+constexpr std::size_t book_part_count = 4;
+
+struct BookVertex {
+  std::array<float, 3> position;  // unit coordinates
+  std::array<float, 3> normal;    // outwards, of the surface in unit coordinates; any length
+  std::array<float, 2> texture;   // (0, 0) is the texture's top left
+  float shade;                    // share of the light that reaches this place, 0 ... 1
+};
+
+struct BookMesh {
+  std::vector<BookVertex> vertices;
+  std::array<std::vector<std::uint16_t>, book_part_count> triangles;  // vertex indices, three a triangle, by part
+};
+
+BookMesh hardcover();
+BookMesh cuboid();  // the same faces, flat and at full size: what a ghost is made of
+
+}  // namespace bookspin

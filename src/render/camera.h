@@ -1,0 +1,58 @@
+// Where the camera sees what.
+//
+// Pixels: x right, y down, (0, 0) the top left corner of the top left pixel. Depth is the distance from the eye along
+// the view. The clip coordinates are OpenGL's with y downwards, so that the frame buffer's first row is the picture's
+// top row; the far plane lies at infinity, the near plane at near_share of the distance from eye to target.
+// Preconditions: eye and target differ, the view is not straight up or down, 0 < vertical_fov < pi.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+#include "image/image.h"
+#include "render/shot.h"
+
+namespace bookspin {
+
+struct PixelPoint {
+  double x = 0;      // pixels from the left
+  double y = 0;      // pixels from the top
+  double depth = 0;  // world units in front of the eye; behind it: negative, and x, y mean nothing
+};
+
+class View {
+ public:
+  View(const Camera& camera, int width, int height);
+
+  [[nodiscard]] const Eigen::Matrix4d& clip_from_world() const { return clip_from_world_; }
+  // The same from the camera frame in units of distance().
+  [[nodiscard]] const Eigen::Matrix4d& clip_from_unit_camera() const { return clip_from_unit_camera_; }
+  [[nodiscard]] const Eigen::Matrix3d& R_CW() const {
+    return R_CW_;
+  }  // world to camera: x right, y up, z towards the eye
+  [[nodiscard]] const Eigen::Vector3d& eye_W() const { return eye_W_; }
+  [[nodiscard]] double distance() const { return distance_; }  // eye to target
+  [[nodiscard]] double near() const { return near_; }
+  [[nodiscard]] bool drawable(const Eigen::Vector3d& point_W) const;
+  [[nodiscard]] PixelPoint project(const Eigen::Vector3d& point_W) const;
+  // The smallest rectangle of whole pixels, grown by margin, that holds the convex hull of the points; the whole frame
+  // when a point is not in front of the near plane.
+  [[nodiscard]] Rect bounds(std::span<const Eigen::Vector3d> points_W, double margin_px) const;
+
+ private:
+  int width_, height_;
+  Eigen::Vector3d eye_W_;
+  double distance_, near_;
+  Eigen::Matrix3d R_CW_;
+  Eigen::Matrix4d clip_from_unit_camera_, clip_from_world_;
+};
+
+PixelPoint project(const Camera& camera, int width, int height, const Eigen::Vector3d& point_W);
+
+// The distance from eye to centre at which a sphere just touches the nearer pair of the frame's edges.
+double distance_that_frames(double sphere_radius, double vertical_fov, double aspect);
+
+Rect intersection(const Rect& a, const Rect& b);
+Rect union_of(const Rect& a, const Rect& b);  // the smallest rectangle that holds both
+
+}  // namespace bookspin

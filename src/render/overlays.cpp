@@ -1,0 +1,187 @@
+#include "render/overlays.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "render/gl_color.h"
+
+namespace bookspin {
+namespace {
+
+constexpr int sides = 24;
+constexpr double head_radius = 2.6;   // shaft radii
+constexpr double head_length = 7.0;   // shaft radii
+constexpr double line_bias = 0.004;   // share of its distance that a line is drawn nearer
+constexpr GLsizei solid_floats = 10;  // point, normal, colour
+constexpr GLsizei line_floats = 8;    // clip coordinates, colour
+
+template <typename Derived>
+void push(std::vector<float>& out, const Eigen::MatrixBase<Derived>& vector) {
+  for (Eigen::Index i = 0; i < vector.size(); ++i) out.push_back(static_cast<float>(vector(i)));
+}
+
+struct ArrowShape {
+  double length, head, radius;  // a short arrow is all head, and shrinks in proportion
+  explicit ArrowShape(const Arrow& arrow)
+      : length((arrow.to_W - arrow.from_W).norm()),
+        head(std::min(head_length * arrow.radius, length)),
+        radius(head / head_length) {}
+};
+
+std::vector<float> arrow_triangles(const Arrow& arrow) {
+  const ArrowShape shape(arrow);
+  const Eigen::Vector3d axis = (arrow.to_W - arrow.from_W) / shape.length;
+  const Eigen::Vector3d right = axis.unitOrthogonal();
+  const Eigen::Vector3d up = axis.cross(right);
+  const std::array<float, 4> color = gl_color(arrow.color);
+
+  struct Ring {
+    double along, radius;
+  };
+  struct Band {
+    Ring a, b;
+    double normal_out, normal_along;
+  };
+  const double neck = shape.length - shape.head, r = shape.radius, R = head_radius * shape.radius;
+  const double slant = std::hypot(shape.head, R);
+  const std::array<Band, 4> bands{Band{{0, 0}, {0, r}, 0, -1}, Band{{0, r}, {neck, r}, 1, 0},
+                                  Band{{neck, r}, {neck, R}, 0, -1},
+                                  Band{{neck, R}, {shape.length, 0}, shape.head / slant, R / slant}};
+  std::vector<float> out;
+  out.reserve(bands.size() * sides * 6 * solid_floats);
+  const auto vertex = [&](const Ring& ring, const Band& band, int side) {
+    const double angle = 2 * std::numbers::pi * side / sides;
+    const Eigen::Vector3d outwards = std::cos(angle) * right + std::sin(angle) * up;
+    push(out, arrow.from_W + ring.along * axis + ring.radius * outwards);
+    push(out, band.normal_out * outwards + band.normal_along * axis);
+    out.insert(out.end(), color.begin(), color.end());
+  };
+  for (const Band& band : bands) {
+    for (int side = 0; side < sides; ++side) {
+      vertex(band.a, band, side);
+      vertex(band.a, band, side + 1);
+      vertex(band.b, band, side + 1);
+      vertex(band.a, band, side);
+      vertex(band.b, band, side + 1);
+      vertex(band.b, band, side);
+    }
+  }
+  return out;
+}
+
+// Two triangles as wide as asked on the screen, or nothing when the line is behind the eye.
+void push_line(std::vector<float>& out, const View& view, int width, int height, const Line& line) {
+  Eigen::Vector4d a = view.clip_from_world() * line.from_W.homogeneous();
+  Eigen::Vector4d b = view.clip_from_world() * line.to_W.homogeneous();
+  const double near = view.near() / view.distance();
+  if (a.w() < near && b.w() < near) return;
+  if (a.w() < near) a += (near - a.w()) / (b.w() - a.w()) * (b - a);
+  if (b.w() < near) b += (near - b.w()) / (a.w() - b.w()) * (a - b);
+
+  const Eigen::Vector2d half_frame(width / 2.0, height / 2.0);
+  const Eigen::Vector2d a_px = (a.head<2>() / a.w()).cwiseProduct(half_frame);
+  const Eigen::Vector2d b_px = (b.head<2>() / b.w()).cwiseProduct(half_frame);
+  const double length = (b_px - a_px).norm();
+  if (!(length > 0)) return;
+  const Eigen::Vector2d along = (b_px - a_px) / length;
+  const Eigen::Vector2d across = (line.width_px / 2 * Eigen::Vector2d(-along.y(), along.x())).cwiseQuotient(half_frame);
+
+  const std::array<float, 4> color = gl_color(line.color);
+  const auto vertex = [&](const Eigen::Vector4d& end, double side) {
+    Eigen::Vector4d clip = end;
+    clip.head<2>() += side * end.w() * across;
+    // With the far plane at infinity z_clip = w - 2 near: what z would be at a smaller distance, at the same place on
+    // the screen.
+    const double nearer = end.w() * (1 - line_bias);
+    clip.z() = (nearer - 2 * near) / nearer * end.w();
+    push(out, clip);
+    out.insert(out.end(), color.begin(), color.end());
+  };
+  vertex(a, -1);
+  vertex(b, -1);
+  vertex(b, 1);
+  vertex(a, -1);
+  vertex(b, 1);
+  vertex(a, 1);
+}
+
+}  // namespace
+
+OverlayPainter::OverlayPainter(const GladGLContext& gl, const std::filesystem::path& assets)
+    : gl_(&gl),
+      solid_(gl, assets / "shaders" / "solid.vert", assets / "shaders" / "solid.frag"),
+      line_(gl, assets / "shaders" / "line.vert", assets / "shaders" / "line.frag"),
+      clip_from_world_(solid_.uniform("clip_from_world")),
+      R_CW_(solid_.uniform("R_CW")) {
+  const auto make_stream = [&](std::span<const GLint> sizes, GLsizei floats_a_vertex) {
+    Stream stream{make_vertex_array(gl), make_buffer(gl)};
+    gl.BindVertexArray(stream.vertex_array.id());
+    gl.BindBuffer(GL_ARRAY_BUFFER, stream.vertices.id());
+    std::size_t offset = 0;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+      gl.EnableVertexAttribArray(static_cast<GLuint>(i));
+      gl.VertexAttribPointer(static_cast<GLuint>(i), sizes[i], GL_FLOAT, GL_FALSE,
+                             floats_a_vertex * static_cast<GLsizei>(sizeof(float)), buffer_offset(offset));
+      offset += static_cast<std::size_t>(sizes[i]) * sizeof(float);
+    }
+    return stream;
+  };
+  solid_stream_ = make_stream(std::array{3, 3, 4}, solid_floats);
+  line_stream_ = make_stream(std::array{4, 4}, line_floats);
+}
+
+void OverlayPainter::draw(const Stream& stream, const std::vector<float>& vertices, GLsizei floats_a_vertex) {
+  gl_->BindVertexArray(stream.vertex_array.id());
+  gl_->BindBuffer(GL_ARRAY_BUFFER, stream.vertices.id());
+  gl_->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(float)), vertices.data(),
+                  GL_STREAM_DRAW);
+  gl_->DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()) / floats_a_vertex);
+}
+
+void OverlayPainter::draw_arrow(const View& view, const Arrow& arrow) {
+  if (!((arrow.to_W - arrow.from_W).norm() > 0)) return;
+  solid_.use();
+  const Eigen::Matrix4f clip_from_world = view.clip_from_world().cast<float>();
+  const Eigen::Matrix3f R_CW = view.R_CW().cast<float>();
+  gl_->UniformMatrix4fv(clip_from_world_, 1, GL_FALSE, clip_from_world.data());
+  gl_->UniformMatrix3fv(R_CW_, 1, GL_FALSE, R_CW.data());
+  gl_->Enable(GL_DEPTH_TEST);
+  gl_->Disable(GL_CULL_FACE);
+  draw(solid_stream_, arrow_triangles(arrow), solid_floats);
+}
+
+void OverlayPainter::draw_lines(const View& view, int width, int height, std::span<const Line> lines) {
+  line_.use();
+  gl_->Enable(GL_DEPTH_TEST);
+  gl_->Disable(GL_CULL_FACE);
+  // Opaque lines hide by depth; translucent ones go over them in the order given.
+  for (const bool opaque : {true, false}) {
+    std::vector<float> vertices;
+    for (const Line& line : lines) {
+      if ((line.color.a == 255) == opaque) push_line(vertices, view, width, height, line);
+    }
+    if (vertices.empty()) continue;
+    if (!opaque) {
+      gl_->Enable(GL_BLEND);
+      gl_->DepthMask(GL_FALSE);
+    }
+    draw(line_stream_, vertices, line_floats);
+    gl_->Disable(GL_BLEND);
+    gl_->DepthMask(GL_TRUE);
+  }
+}
+
+std::array<Eigen::Vector3d, 16> OverlayPainter::hull(const Arrow& arrow) {
+  const double reach = head_radius * ArrowShape(arrow).radius;
+  std::array<Eigen::Vector3d, 16> points;
+  for (unsigned i = 0; i < 16; ++i) {
+    const Eigen::Vector3d offset((i & 1U) != 0 ? reach : -reach, (i & 2U) != 0 ? reach : -reach,
+                                 (i & 4U) != 0 ? reach : -reach);
+    points[i] = ((i & 8U) != 0 ? arrow.to_W : arrow.from_W) + offset;
+  }
+  return points;
+}
+
+}  // namespace bookspin

@@ -1,0 +1,41 @@
+// Draws arrows and lines into the current frame buffer, hidden by and hiding the books by depth.
+//
+// Arrows are lit shafts with cones; lines keep their width in pixels and lie a hair nearer to the eye than they are, so
+// that a spring along a book's edge is seen. Needs <assets>/shaders/{solid,line}.{vert,frag}. Throws std::runtime_error
+// as Program does.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "render/camera.h"
+#include "render/program.h"
+#include "render/shot.h"
+
+namespace bookspin {
+
+class OverlayPainter {
+ public:
+  OverlayPainter(const GladGLContext& gl, const std::filesystem::path& assets);
+
+  void draw_arrow(const View& view, const Arrow& arrow);
+  void draw_lines(const View& view, int width, int height, std::span<const Line> lines);
+
+  // World points whose convex hull holds the arrow.
+  static std::array<Eigen::Vector3d, 16> hull(const Arrow& arrow);
+
+ private:
+  struct Stream {
+    Handle vertex_array, vertices;
+  };
+  void draw(const Stream& stream, const std::vector<float>& vertices, GLsizei floats_a_vertex);
+
+  const GladGLContext* gl_;
+  Program solid_, line_;
+  GLint clip_from_world_, R_CW_;
+  Stream solid_stream_, line_stream_;
+};
+
+}  // namespace bookspin

@@ -1,0 +1,207 @@
+#include "render/renderer.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <exception>
+#include <optional>
+#include <vector>
+
+#include "render/books.h"
+#include "render/camera.h"
+#include "render/context.h"
+#include "render/frame_buffer.h"
+#include "render/overlays.h"
+#include "render/text.h"
+
+namespace bookspin {
+namespace {
+
+constexpr int tile = 16;         // pixels: the software renderer works in tiles, and a part of one costs all of it
+constexpr double margin_px = 2;  // what rounding in single precision may move, and a pixel's samples reach
+
+// Which pixels each item of a shot may touch; empty for an item that is not drawn.
+struct Footprint {
+  std::vector<Rect> books, arrows, lines;
+  std::vector<TextLayout> labels;
+  bool needs_depth = false;  // something may hide something else
+};
+
+Rect aligned(const Rect& rect, const Rect& frame) {
+  if (rect.empty()) return {};
+  const auto down = [](int x) { return x / tile * tile; };
+  const auto up = [](int x) { return (x + tile - 1) / tile * tile; };
+  const int x = down(rect.x), y = down(rect.y);
+  return intersection({x, y, up(rect.x + rect.width) - x, up(rect.y + rect.height) - y}, frame);
+}
+
+// What must be drawn again: where an item was, or is, that is not the same as before.
+template <typename Item>
+Rect difference(const std::vector<Item>& old_items, const std::vector<Rect>& old_rects, const std::vector<Item>& items,
+                const std::vector<Rect>& rects) {
+  Rect area;
+  for (std::size_t i = 0; i < std::max(old_items.size(), items.size()); ++i) {
+    if (i < old_items.size() && i < items.size() && old_items[i] == items[i]) continue;
+    if (i < old_items.size()) area = union_of(area, old_rects[i]);
+    if (i < items.size()) area = union_of(area, rects[i]);
+  }
+  return area;
+}
+
+void copy(const Image& from, const Rect& area, Image& to) {
+  for (int y = area.y; y < area.y + area.height; ++y) {
+    std::copy_n(from.pixel(area.x, y), 4 * static_cast<std::size_t>(area.width), to.pixel(area.x, y));
+  }
+}
+
+}  // namespace
+
+struct Renderer::Parts {
+  // In this order: everything below needs the context.
+  Context context;
+  FrameBuffer frame_buffer;
+  BookPainter books;
+  OverlayPainter overlays;
+  TextPainter text;
+  Image scene;    // without labels
+  Image picture;  // with them
+  std::optional<Shot> shot;
+  Footprint footprint;
+  Rect changed;
+
+  Parts(int width, int height, const std::filesystem::path& assets, ContextKind kind)
+      : context(kind),
+        frame_buffer(context.gl(), width, height),
+        books(context.gl(), assets),
+        overlays(context.gl(), assets),
+        scene(width, height),
+        picture(width, height) {}
+
+  ~Parts() {
+    try {
+      context.make_current();  // the handles delete their objects in it
+    } catch (const std::exception&) {
+      return;  // then the objects go with the context
+    }
+  }
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+
+  Footprint find_footprint(const Shot& next, const View& view);
+  void draw_scene(const Shot& next, const Footprint& next_footprint, const View& view, const Rect& area);
+  void compose(const Footprint& next_footprint, const Rect& area);
+  void draw(const Shot& next);
+};
+
+Footprint Renderer::Parts::find_footprint(const Shot& next, const View& view) {
+  Footprint result;
+  const auto bounds = [&](auto&& points, double margin) {
+    const bool drawable = std::ranges::all_of(points, [&](const auto& p) { return view.drawable(p); });
+    return drawable ? view.bounds(points, margin) : Rect{};
+  };
+  for (const BookPose& book : next.books) {
+    std::array<Eigen::Vector3d, 8> corners;
+    for (int i = 0; i < 8; ++i) corners[static_cast<std::size_t>(i)] = book.corners_W.col(i);
+    result.books.push_back(bounds(corners, margin_px));
+  }
+  for (const Arrow& arrow : next.arrows) result.arrows.push_back(bounds(OverlayPainter::hull(arrow), margin_px));
+  for (const Line& line : next.lines) {
+    result.lines.push_back(bounds(std::array{line.from_W, line.to_W}, margin_px + line.width_px));
+  }
+  result.needs_depth = !next.arrows.empty() || !next.lines.empty();
+  for (std::size_t i = 0; i < next.books.size(); ++i) {
+    if (next.books[i].style != BookStyle::solid || result.books[i].empty()) continue;
+    result.needs_depth = result.needs_depth || !is_unbent(next.books[i].corners_W);
+    for (std::size_t j = 0; j < i; ++j) {
+      const bool both_solid = next.books[j].style == BookStyle::solid;
+      if (both_solid && !intersection(result.books[i], result.books[j]).empty()) result.needs_depth = true;
+    }
+  }
+  for (const Label& label : next.labels) result.labels.push_back(text.lay_out(label, view, scene.width, scene.height));
+  return result;
+}
+
+void Renderer::Parts::draw_scene(const Shot& next, const Footprint& next_footprint, const View& view,
+                                 const Rect& area) {
+  const auto touched = [&](const Rect& rect) { return !intersection(rect, area).empty(); };
+  frame_buffer.begin(area, next.background, next_footprint.needs_depth);
+  for (std::size_t i = 0; i < next.books.size(); ++i) {
+    const bool solid = next.books[i].style == BookStyle::solid;
+    if (solid && touched(next_footprint.books[i]))
+      books.draw_solid(view, next.books[i].corners_W, next_footprint.needs_depth);
+  }
+  for (std::size_t i = 0; i < next.arrows.size(); ++i) {
+    if (touched(next_footprint.arrows[i])) overlays.draw_arrow(view, next.arrows[i]);
+  }
+  std::vector<Line> lines;
+  for (std::size_t i = 0; i < next.lines.size(); ++i) {
+    if (touched(next_footprint.lines[i])) lines.push_back(next.lines[i]);
+  }
+  overlays.draw_lines(view, scene.width, scene.height, lines);
+  for (std::size_t i = 0; i < next.books.size(); ++i) {
+    const bool ghost = next.books[i].style == BookStyle::ghost;
+    if (ghost && touched(next_footprint.books[i])) books.draw_ghost(view, next.books[i].corners_W);
+  }
+  frame_buffer.read(area, scene);
+}
+
+void Renderer::Parts::compose(const Footprint& next_footprint, const Rect& area) {
+  copy(scene, area, picture);
+  for (const TextLayout& label : next_footprint.labels) TextPainter::draw(label, area, picture);
+  changed = union_of(changed, area);
+}
+
+void Renderer::Parts::draw(const Shot& next) {
+  changed = {};
+  if (shot == next) return;
+  const View view(next.camera, scene.width, scene.height);
+  Footprint next_footprint = find_footprint(next, view);
+  // With or without depth, an edge's samples may fall out differently.
+  const bool first = !shot || shot->camera != next.camera || shot->background != next.background ||
+                     footprint.needs_depth != next_footprint.needs_depth;
+
+  Rect area = scene.bounds();
+  if (!first) {
+    area = union_of(difference(shot->books, footprint.books, next.books, next_footprint.books),
+                    union_of(difference(shot->arrows, footprint.arrows, next.arrows, next_footprint.arrows),
+                             difference(shot->lines, footprint.lines, next.lines, next_footprint.lines)));
+    area = aligned(area, scene.bounds());
+  }
+  if (!area.empty()) {
+    context.make_current();
+    draw_scene(next, next_footprint, view, area);
+    compose(next_footprint, area);
+  }
+  if (!first) {
+    for (std::size_t i = 0; i < std::max(shot->labels.size(), next.labels.size()); ++i) {
+      if (i < shot->labels.size() && i < next.labels.size() && shot->labels[i] == next.labels[i]) continue;
+      if (i < shot->labels.size()) compose(next_footprint, footprint.labels[i].bounds);
+      if (i < next.labels.size()) compose(next_footprint, next_footprint.labels[i].bounds);
+    }
+  }
+  footprint = std::move(next_footprint);
+  shot = next;
+}
+
+Renderer::Renderer(int width, int height, const std::filesystem::path& assets, ContextKind kind) {
+  assert(width > 0 && height > 0);
+  parts_ = std::make_unique<Parts>(width, height, assets, kind);
+}
+
+Renderer::~Renderer() = default;
+
+const Image& Renderer::draw(const Shot& shot) {
+  parts_->draw(shot);
+  return parts_->picture;
+}
+
+Rect Renderer::changed() const {
+  return parts_->changed;
+}
+
+const std::string& Renderer::description() const {
+  return parts_->context.description();
+}
+
+}  // namespace bookspin

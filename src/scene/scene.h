@@ -1,0 +1,75 @@
+// A scene: what a script in videos/*.toml says, as plain data with its defaults.
+//
+// Lengths, times and masses are in the scene's own units; angles that a script reads or writes are in degrees, except
+// angle errors, which are in radians. Frame n shows the time n time_per_frame; frame 0 is the start.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dynamics/book.h"
+
+namespace bookspin {
+
+enum class Method { springs, matrix, quaternion };
+enum class Style { solid, ghost };
+
+struct Clip {
+  int frames = 900;             // 1 ... 100000; one frame makes a still picture instead of a film
+  int fps = 60;                 // film frames per second, 1 ... 240
+  double time_per_frame = 0.1;  // simulated time from one frame to the next, > 0
+  int substeps = 6;             // integration steps per frame, 1 ... 1000000; the step is h = time_per_frame / substeps
+};
+
+struct Quantity;  // scene/quantities.h
+
+struct ViewSetup {
+  Eigen::Vector3d from{0.35, 0.3, 1.0};  // direction from the origin to the camera, world frame, any length > 0
+  std::vector<const Quantity*> head_up;  // shown with the time while the film runs; none: no time either
+};
+
+// What is drawn with a book, beside the book itself.
+struct Show {
+  bool axes = false;              // body axes, labelled x, y, z
+  bool angular_velocity = false;  // arrow
+  bool angular_momentum = false;  // arrow
+  bool trace = false;    // the path of the tip of the spin axis (the one that tilt is measured of), fading with age
+  bool springs = false;  // all 28, coloured by tension
+};
+
+struct BookSetup {
+  std::string name;  // printed under the book and in the data; may be empty
+  Method method = Method::springs;
+  BookOptions options;  // omega_W without the jiggle
+  double jiggle = 0.0;  // length of the seeded vector added to omega_W, in units of |omega_W|, 0 ... 1
+  Eigen::Vector3d position_W = Eigen::Vector3d::Zero();  // where it is drawn; the motion itself is about the origin
+  Style style = Style::solid;
+  Show show;
+};
+
+struct Expectation {
+  std::string says;                    // what the caption claims, in words
+  const Quantity* quantity = nullptr;  // what is measured
+  int book = 0;                        // index of the book
+  int first_frame = 0;                 // judged from this frame
+  std::optional<int> last_frame;       // to this one, included; none: to the end
+  std::optional<double> at_least;      // bound for every frame
+  std::optional<double> at_most;       // bound for every frame
+  std::optional<double> rises_to;      // reached or passed upwards by some frame
+  std::optional<double> falls_to;      // reached or passed downwards by some frame
+};
+
+struct Scene {
+  std::string title;
+  std::string caption;
+  std::uint64_t seed = 1;  // of the jiggle
+  Clip clip;
+  ViewSetup view;
+  std::vector<BookSetup> books;  // 1 ... 8
+  std::vector<Expectation> expectations;
+};
+
+}  // namespace bookspin

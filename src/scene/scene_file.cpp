@@ -1,0 +1,297 @@
+#include "scene/scene_file.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include "scene/quantities.h"
+#include "scene/table_reader.h"
+#include "scene/toml.h"
+
+namespace bookspin {
+namespace {
+
+constexpr std::array<std::string_view, 3> method_names{"springs", "matrix", "quaternion"};
+constexpr std::array<std::string_view, 2> style_names{"solid", "ghost"};
+constexpr std::array<std::string_view, 1> integrator_names{"explicit_euler"};
+
+constexpr int most_frames = 100000;       // half an hour at 60 frames a second
+constexpr int most_book_frames = 400000;  // books times frames: what a trajectory may take of memory
+constexpr int most_books = 8;
+
+Range positive() {
+  return {0.0, any, true};
+}
+Range signed_number() {
+  return {-any, any};
+}
+
+std::vector<std::string_view> quantity_names() {
+  std::vector<std::string_view> names;
+  for (const Quantity& q : quantities()) names.push_back(q.name);
+  return names;
+}
+
+void read_clip(TableReader& scene_reader, Clip& clip) {
+  const toml::node* node = scene_reader.node("clip");
+  if (node == nullptr) return;
+  if (!node->is_table()) scene_reader.fail(*node, "clip", "a table [clip]");
+  TableReader reader(*node->as_table(), "clip");
+  reader.read("frames", clip.frames, 1, most_frames);
+  reader.read("fps", clip.fps, 1, 240);
+  reader.read("time_per_frame", clip.time_per_frame, positive());
+  reader.read("substeps", clip.substeps, 1, 1000000);
+  reader.done();
+}
+
+void read_view(TableReader& scene_reader, ViewSetup& view) {
+  const toml::node* node = scene_reader.node("view");
+  if (node == nullptr) return;
+  if (!node->is_table()) scene_reader.fail(*node, "view", "a table [view]");
+  TableReader reader(*node->as_table(), "view");
+  reader.read("from", view.from, signed_number());
+  if (view.from.head<1>().norm() + std::abs(view.from.z()) == 0.0) {
+    reader.fail(*reader.node("from"), "from", "a direction that does not point straight up or down: x or z not 0");
+  }
+  const std::vector<std::string_view> names = quantity_names();
+  for (const std::size_t i : reader.read_words("head_up", names)) view.head_up.push_back(&quantities()[i]);
+  reader.done();
+}
+
+// The paper's damping is on or off; a number is a multiple of its critical damping.
+void read_damping(TableReader& reader, double& damping) {
+  const toml::node* node = reader.node("damping");
+  if (node == nullptr) return;
+  if (node->is_boolean()) {
+    damping = node->as_boolean()->get() ? 1.0 : 0.0;
+    return;
+  }
+  const std::optional<double> value = node->is_number() ? node->value<double>() : std::nullopt;
+  if (!value || !(*value >= 0.0 && *value <= 1000.0)) {
+    reader.fail(*node, "damping", "true, false, or a number from 0 to 1000");
+  }
+  damping = *value;
+}
+
+void read_show(TableReader& reader, Show& show) {
+  const std::array<std::pair<std::string_view, bool*>, 5> parts{{{"axes", &show.axes},
+                                                                 {"angular_velocity", &show.angular_velocity},
+                                                                 {"angular_momentum", &show.angular_momentum},
+                                                                 {"trace", &show.trace},
+                                                                 {"springs", &show.springs}}};
+  std::vector<std::string_view> words;
+  for (const auto& [word, flag] : parts) words.push_back(word);
+  for (const std::size_t i : reader.read_words("show", words)) *parts[i].second = true;
+}
+
+BookSetup read_book(const toml::table& table, const std::string& path) {
+  TableReader reader(table, path);
+  BookSetup book;
+  BookOptions& o = book.options;
+  reader.read("name", book.name);
+  book.method = static_cast<Method>(reader.read_word("method", method_names, 0));
+  o.integrator = static_cast<Integrator>(reader.read_word("integrator", integrator_names, 0));
+  reader.read("size", o.size, {1e-6, any});
+  reader.read("angular_velocity", o.omega_W, signed_number());
+  reader.read("jiggle", book.jiggle, {0.0, 1.0});
+  reader.read("normalize", o.normalize);
+  reader.read("normalize_every", o.normalize_every, 1, 1000000);
+  read_damping(reader, o.damping);
+  reader.read("stiffness", o.stiffness, positive());
+  reader.read("particle_mass", o.particle_mass, positive());
+  reader.read("position", book.position_W, signed_number());
+  book.style = static_cast<Style>(reader.read_word("style", style_names, 0));
+  read_show(reader, book.show);
+  reader.done();
+  return book;
+}
+
+void read_frames(TableReader& reader, Expectation& e) {
+  if (reader.has("frame")) {
+    reader.read("frame", e.first_frame, 0, most_frames);
+    e.last_frame = e.first_frame;
+    if (reader.has("frames")) reader.fail(*reader.node("frames"), "frames", "either frame or frames");
+  }
+  const toml::node* node = reader.node("frames");
+  if (node == nullptr) return;
+  const std::string allowed =
+      fmt::format("two frames [first, last], from 0 to {}, the first not after the last", most_frames);
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->size() != 2 || !(*list)[0].is_integer() || !(*list)[1].is_integer()) {
+    reader.fail(*node, "frames", allowed);
+  }
+  const auto first = (*list)[0].as_integer()->get();
+  const auto last = (*list)[1].as_integer()->get();
+  if (first < 0 || last < first || last > most_frames) reader.fail(*node, "frames", allowed);
+  e.first_frame = static_cast<int>(first);
+  e.last_frame = static_cast<int>(last);
+}
+
+Expectation read_expectation(const toml::table& table, const std::string& path, int books) {
+  TableReader reader(table, path);
+  Expectation e;
+  const std::vector<std::string_view> names = quantity_names();
+  reader.read("says", e.says);
+  if (!reader.has("quantity")) reader.fail_missing("quantity", fmt::format("one of {}", fmt::join(names, ", ")));
+  e.quantity = &quantities()[reader.read_word("quantity", names, 0)];
+  reader.read("book", e.book, 0, books - 1);
+  reader.node("frame");  // known, though most expectations give a range or nothing
+  read_frames(reader, e);
+  for (const auto& [key, bound] : {std::pair{"at_least", &e.at_least}, std::pair{"at_most", &e.at_most},
+                                   std::pair{"rises_to", &e.rises_to}, std::pair{"falls_to", &e.falls_to}}) {
+    reader.read(key, *bound, {-1e300, 1e300});
+  }
+  if (!e.at_least && !e.at_most && !e.rises_to && !e.falls_to) {
+    reader.fail_missing("at_least", "one of at_least, at_most (every frame), rises_to, falls_to (some frame)");
+  }
+  reader.done();
+  return e;
+}
+
+const toml::array* tables(TableReader& reader, std::string_view key) {
+  const toml::node* node = reader.node(key);
+  if (node == nullptr) return nullptr;
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->empty()) reader.fail(*node, key, fmt::format("one or more tables [[{}]]", key));
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const toml::node& one = (*list)[i];
+    if (!one.is_table()) reader.fail(one, fmt::format("{}.{}", key, i), fmt::format("a table [[{}]]", key));
+  }
+  return list;
+}
+
+Scene read_scene(const toml::table& table) {
+  TableReader reader(table, "");
+  Scene scene;
+  reader.read("title", scene.title);
+  if (!reader.has("title")) reader.fail_missing("title", "a text in quotes");
+  if (scene.title.empty()) reader.fail(*reader.node("title"), "title", "a text in quotes, not empty");
+  reader.read("caption", scene.caption);
+  int seed = 1;
+  reader.read("seed", seed, 0, std::numeric_limits<int>::max());
+  scene.seed = static_cast<std::uint64_t>(seed);
+  read_clip(reader, scene.clip);
+  read_view(reader, scene.view);
+  const toml::array* books = tables(reader, "book");
+  if (books == nullptr) reader.fail_missing("book", "one or more tables [[book]]");
+  const std::size_t most =
+      std::min<std::size_t>(most_books, static_cast<std::size_t>(most_book_frames / scene.clip.frames));
+  if (books->size() > most) {
+    throw std::invalid_argument(
+        fmt::format("{}book: found {} books of {} frames; allowed: up to {} books, and books x frames up to {}",
+                    location(books->source()), books->size(), scene.clip.frames, most_books, most_book_frames));
+  }
+  for (std::size_t i = 0; i < books->size(); ++i) {
+    scene.books.push_back(read_book(*(*books)[i].as_table(), fmt::format("book.{}", i)));
+  }
+  if (const toml::array* list = tables(reader, "expect")) {
+    for (std::size_t i = 0; i < list->size(); ++i) {
+      scene.expectations.push_back(
+          read_expectation(*(*list)[i].as_table(), fmt::format("expect.{}", i), static_cast<int>(scene.books.size())));
+    }
+  }
+  reader.done();
+  return scene;
+}
+
+toml::table parse(std::string_view text, const std::string& name) {
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error& error) {
+    throw std::invalid_argument(location(error.source()) + std::string(error.description()));
+  }
+}
+
+std::optional<std::size_t> index(std::string_view text) {
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return {};
+  return value;
+}
+
+// "book.0.method=matrix" -> table["book"][0]["method"] = "matrix"
+void apply_override(toml::table& scene, const std::string& text) {
+  const std::string source = "--set " + text;
+  const auto fail = [&source](const std::string& what) { throw std::invalid_argument(source + ": " + what); };
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) fail("allowed: KEY=VALUE, such as book.0.method=matrix");
+  const std::string value_text = text.substr(equals + 1);
+  toml::table value;
+  try {
+    value = toml::parse("value = " + value_text, source);
+  } catch (const toml::parse_error&) {
+    std::ostringstream quoted;  // a bare word is a text
+    quoted << "value = " << toml::value<std::string>(value_text);
+    value = parse(quoted.str(), source);
+  }
+  if (value.size() != 1) fail("allowed: one value");
+  // What is put into the scene knows where it came from, key and value, for the messages.
+  const auto put = [&source](toml::table& table, std::string_view key, toml::node& node) {
+    const toml::table keyed = parse(fmt::format("'{}' = 0", key), source);
+    table.insert_or_assign(keyed.cbegin()->first, std::move(node));
+  };
+  toml::node* at = &scene;
+  std::string_view path = std::string_view(text).substr(0, equals);
+  while (true) {
+    const std::size_t dot = path.find('.');
+    const std::string_view key = path.substr(0, dot);
+    const bool last = dot == std::string_view::npos;
+    if (toml::array* list = at->as_array()) {
+      const std::optional<std::size_t> i = index(key);
+      if (!i || *i >= list->size())
+        fail(fmt::format("there is no '{}' in a list of {}, counted from 0", key, list->size()));
+      if (last) {
+        list->replace(list->cbegin() + static_cast<std::ptrdiff_t>(*i), std::move(*value.get("value")));
+        return;
+      }
+      at = list->get(*i);
+    } else if (toml::table* table = at->as_table()) {
+      if (last) {
+        put(*table, key, *value.get("value"));
+        return;
+      }
+      if (!table->contains(key)) {
+        if (key == "book" || key == "expect") fail(fmt::format("the scene has no {}", key));
+        toml::table empty = parse("value = {}", source);
+        put(*table, key, *empty.get("value"));
+      }
+      at = table->get(key);
+    } else {
+      fail(fmt::format("'{}' is below a value, not a table", key));
+    }
+    path.remove_prefix(dot + 1);
+  }
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, const std::string& name, std::span<const std::string> overrides) {
+  toml::table table = parse(text, name);
+  for (const std::string& text_of_one : overrides) apply_override(table, text_of_one);
+  return read_scene(table);
+}
+
+std::string read_script(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (!in || std::filesystem::is_directory(file))
+    throw std::runtime_error(fmt::format("{}: cannot be read", file.string()));
+  return text.str();
+}
+
+Scene load_scene(const std::filesystem::path& file, std::span<const std::string> overrides) {
+  return parse_scene(read_script(file), file.string(), overrides);
+}
+
+std::string_view name_of(Method method) {
+  return method_names[static_cast<std::size_t>(method)];
+}
+
+}  // namespace bookspin

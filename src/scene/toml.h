@@ -1,0 +1,5 @@
+// toml++, compiled once, in toml.cpp.
+#pragma once
+
+#define TOML_HEADER_ONLY 0
+#include <toml++/toml.h>

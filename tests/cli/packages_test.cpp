@@ -1,0 +1,97 @@
+// The front door's first step, install-packages, on machines that we are not on: stand-ins for Debian's programs come first on
+// PATH, and say what they were asked to do.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/command.h"
+
+namespace bookspin {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+struct Packages : testing::Test {
+  Packages() {
+    fs::create_directory(scratch / "bin");
+    for (const char* tool : {"sh", "grep", "sed", "cat", "dirname", "mktemp", "rm", "tail", "env", "touch"}) {
+      fs::create_symlink(fs::exists(std::string("/usr/bin/") + tool) ? std::string("/usr/bin/") + tool
+                                                                      : std::string("/bin/") + tool,
+                         scratch / ("bin/" + std::string(tool)));
+    }
+    fs::copy_file(std::string(BOOKSPIN_SOURCE_DIR) + "/install-packages", scratch / "install-packages");
+    write_text(scratch / "apt-packages.txt", "here\nmissing-one\nmissing-two\n");
+  }
+
+  void stand_in(const std::string& name, const std::string& script) {
+    write_text(scratch / ("bin/" + name), "#!/bin/sh\n" + script + "\n");
+    fs::permissions(scratch / ("bin/" + name), fs::perms::owner_all);
+  }
+  void debian() {
+    stand_in("dpkg-query", "[ \"$4\" = here ] && echo installed");
+    stand_in("apt-get", "echo apt-get \"$@\" >>asked; exit ${APT_FAILS:-0}");
+  }
+  void user(int id) { stand_in("id", "echo " + std::to_string(id)); }
+  Said install(const std::string& environment = "") {
+    return run(scratch, environment + " PATH=" + (scratch / "bin").string() + " ./install-packages");
+  }
+
+  Scratch scratch;
+};
+
+TEST_F(Packages, RootInstallsWhatIsMissingAndNothingElse) {
+  debian();
+  user(0);
+  EXPECT_EQ(install().exit_code, 0);
+  EXPECT_EQ(read_text(scratch / "asked"),
+            "apt-get update\napt-get install -y --no-install-recommends missing-one missing-two\n");
+}
+
+TEST_F(Packages, NothingMissingNothingAsked) {
+  debian();
+  stand_in("dpkg-query", "echo installed");
+  user(1000);
+  const Said said = install();
+  EXPECT_EQ(said.exit_code, 0);
+  EXPECT_THAT(said.out + said.err, IsEmpty());
+  EXPECT_FALSE(fs::exists(scratch / "asked"));
+}
+
+TEST_F(Packages, AUserInstallsBySudo) {
+  debian();
+  user(1000);
+  stand_in("sudo", "echo sudo >>asked; exec \"$@\"");
+  EXPECT_EQ(install().exit_code, 0);
+  EXPECT_THAT(read_text(scratch / "asked"), HasSubstr("sudo\napt-get install"));
+}
+
+TEST_F(Packages, AUserWithoutSudoIsToldExactlyWhatIsMissing) {
+  debian();
+  user(1000);
+  const Said said = install();
+  EXPECT_NE(said.exit_code, 0);
+  EXPECT_THAT(said.err, HasSubstr("apt-get install missing-one missing-two\n"));
+  EXPECT_FALSE(fs::exists(scratch / "asked"));
+}
+
+TEST_F(Packages, AFailedInstallationIsToldToo) {
+  debian();
+  user(0);
+  const Said said = install("APT_FAILS=1");
+  EXPECT_NE(said.exit_code, 0);
+  EXPECT_THAT(said.err, HasSubstr("apt-get install missing-one missing-two\n"));
+}
+
+TEST_F(Packages, OtherSystemsAreToldEverything) {
+  user(0);
+  const Said said = install();
+  EXPECT_NE(said.exit_code, 0);
+  EXPECT_THAT(said.err, HasSubstr("not Debian or Ubuntu"));
+  EXPECT_THAT(said.err, HasSubstr("  here\n  missing-one\n  missing-two\n"));
+}
+
+}  // namespace
+}  // namespace bookspin
