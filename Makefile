@@ -1,6 +1,6 @@
 # The front door. Each target works alone on a fresh Debian or Ubuntu: it installs what is missing, builds, and runs.
 
-.PHONY: figures test golden bench clean build packages
+.PHONY: figures test golden report bench clean build packages
 
 figures: build
 	build/bookspin render --update videos/*.toml -o videos/site
@@ -12,6 +12,10 @@ test: everything
 golden: everything
 	BOOKSPIN_ACCEPT_GOLDENS=1 ctest --preset release -R '^(image|render|film)$$'
 	git status --short tests/golden
+
+# Speed against error, stability, the paper's claims measured: videos/site/report/index.html.
+report: build
+	build/bookspin report
 
 # What a frame costs, the rate of the whole job, peak memory.
 bench: everything

@@ -1,10 +1,12 @@
 #include "cli/commands.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -15,6 +17,7 @@
 #include "cli/watch.h"
 #include "film/shoot.h"
 #include "image/png.h"
+#include "report/report.h"
 #include "scene/judge.h"
 #include "scene/scene_file.h"
 #include "scene/simulate.h"
@@ -205,6 +208,20 @@ int write_trajectory(const Options& options) {
   if (!options.output.empty()) written = std::fclose(out) == 0 && written;
   if (!written) fail("cannot be written");
   if (!options.output.empty() && std::rename(part.c_str(), options.output.c_str()) != 0) fail("cannot be renamed");
+  return 0;
+}
+
+int report(const Options& options) {
+  const fs::path folder = options.folder.empty() ? project / "videos" / "site" / "report" : fs::path(options.folder);
+  const bool terminal = isatty(STDERR_FILENO) == 1;
+  const auto start = std::chrono::steady_clock::now();
+  const auto seconds = [start] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+  make_report({folder, project, options.quick}, [&](std::string_view what, double done) {
+    if (terminal) fmt::print(stderr, "\r\x1b[K{:3.0f} %  {:4.0f} s  {}", 100.0 * done, seconds(), what);
+    std::fflush(stderr);
+  });
+  if (terminal) fmt::print(stderr, "\r\x1b[K");
+  fmt::print("{} in {:.0f} s\n", (folder / "index.html").string(), seconds());
   return 0;
 }
 

@@ -17,6 +17,7 @@ struct Options {
   int frame = 0;
   int jobs = 0;                   // 0: one a core
   bool update = false;
+  bool quick = false;
 };
 
 int list_scenes(const Options& options);
@@ -24,5 +25,6 @@ int render_scenes(const Options& options);
 int draw_scene_frame(const Options& options);
 int check_scenes(const Options& options);
 int write_trajectory(const Options& options);
+int report(const Options& options);
 
 }  // namespace bookspin

@@ -79,6 +79,11 @@ int main(int argc, char** argv) {
   trajectory->footer(
       "Example:\n  bookspin trajectory videos/fig09_matrix.toml --set clip.substeps=300 -o fine.csv");
 
+  CLI::App* report = app.add_subcommand("report", "Measure speed against error, stability and the paper's claims: a page and its data");
+  report->add_option("-o,--output", options.folder, "Folder of the report (default: the project's videos/site/report)")->type_name("DIR");
+  report->add_flag("--quick", options.quick, "Every file in seconds: for tests, not for reading");
+  report->footer("Example:\n  bookspin report -o report");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -88,6 +93,7 @@ int main(int argc, char** argv) {
     if (*list) return bookspin::list_scenes(options);
     if (*render) return bookspin::render_scenes(options);
     if (*frame) return bookspin::draw_scene_frame(options);
+    if (*report) return bookspin::report(options);
     if (*check) return bookspin::check_scenes(options);
     return bookspin::write_trajectory(options);
   } catch (const std::exception& error) {

@@ -1,0 +1,188 @@
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+
+#include "dynamics/rigid_motion.h"
+#include "dynamics/shape.h"
+#include "dynamics/spring_book.h"
+#include "report/odeint.h"
+#include "report/work_precision.h"
+
+namespace bookspin {
+namespace {
+
+using State = std::array<double, 48>;  // positions, velocities
+using ConstCorners = Eigen::Map<const Corners>;
+
+struct SpringSystem {
+  SpringBook book;  // for its forces
+  double particle_mass;
+
+  void operator()(const State& s, State& d, double /*t*/) const {
+    const Corners x = ConstCorners(s.data());
+    const Corners v = ConstCorners(s.data() + 24);
+    Eigen::Map<Corners>(d.data()) = v;
+    Eigen::Map<Corners>(d.data() + 24) = book.forces(x, v).F_W / particle_mass;
+  }
+};
+
+class Stepped {
+ public:
+  Stepped(const BookOptions& options, double interval, int steps) : book_(options), h_(interval / steps), steps_(steps) {}
+  bool to(int /*sample*/) {
+    for (int i = 0; i < steps_; ++i) book_.step(h_);
+    return true;
+  }
+  [[nodiscard]] const Corners& corners_W() const { return book_.corners_W(); }
+
+ private:
+  SpringBook book_;
+  double h_;
+  int steps_;
+};
+
+Corners corners_of(const auto& runner) {
+  if constexpr (requires { runner.corners_W(); }) {
+    return runner.corners_W();
+  } else {
+    return ConstCorners(runner.x().data());
+  }
+}
+
+double farthest(const Corners& a, const Corners& b) { return (a - b).colwise().norm().maxCoeff(); }
+
+Corners rigid_corners(const BookOptions& options, double t) {
+  return exact_motion(options).at(t).q_WB.toRotationMatrix() * corners_at_rest(options.size);
+}
+
+// The motion of ref_springs.txt: k = 10, m = 1, the unit of time about one turn in six.
+BookOptions reference_options() {
+  BookOptions options;
+  const Eigen::Vector3d I_B = principal_moments(options.size, 1.0);
+  options.omega_W = {1.0, 1e-3 * I_B.x() / I_B.y(), 5e-4 * I_B.x() / I_B.z()};
+  options.normalize = false;
+  options.damping = 0.0;
+  return options;
+}
+
+}  // namespace
+
+void spring_work_precision(const std::filesystem::path& reference, const Effort& effort, std::vector<Run>& runs) {
+  constexpr double T = 200.0;
+  const std::filesystem::path file = reference / "ref_springs.txt";
+  std::ifstream in(file);
+  std::vector<Corners> expected;
+  for (std::array<double, 48> row; true;) {
+    for (double& number : row) in >> number;
+    if (!in) break;
+    expected.emplace_back(ConstCorners(row.data()));
+  }
+  if (expected.empty()) throw std::runtime_error(file.string() + ": cannot be read");
+  const int samples = static_cast<int>(expected.size());
+  const double interval = T / samples;
+  const BookOptions options = reference_options();
+  const double half_diagonal = 0.5 * options.size.norm();
+  std::vector<Corners> rigid;
+  for (int i = 0; i < samples; ++i) rigid.push_back(rigid_corners(options, (i + 1) * interval));
+
+  const auto run_once = [&](const std::string& method, double setting, auto&& start) {
+    Run run{"springs", method, setting};
+    measure(run, samples, T, effort, start, [&](const auto& runner, int i) {
+      const Corners x = corners_of(runner);
+      const auto k = static_cast<std::size_t>(i);
+      const double error = farthest(x, expected[k]) / half_diagonal;
+      if (!(error < 1e3)) return false;  // a thousand times its own size: exploded
+      run.error = std::max(run.error, error);
+      run.other_error = std::max(run.other_error, farthest(x, rigid[k]) / half_diagonal);
+      return true;
+    });
+    return run;
+  };
+  constexpr int fewest = 4;
+  const auto by_steps = [&](const std::string& method, auto&& start) {
+    climb(effort, T, runs, [&](int rung) {
+      const int steps = static_cast<int>(fewest * rung_factor(rung, effort.ladder));
+      return run_once(method, interval / steps, [&] { return start(steps); });
+    });
+  };
+  for (const auto& [name, integrator] :
+       {std::pair{"explicit Euler", Integrator::explicit_euler}, std::pair{"semi-implicit Euler", Integrator::semi_implicit_euler},
+        std::pair{"velocity Verlet", Integrator::velocity_verlet}, std::pair{"rk4", Integrator::rk4},
+        std::pair{"composition8", Integrator::composition8}}) {
+    BookOptions with = options;
+    with.integrator = integrator;
+    by_steps(name, [&](int steps) { return Stepped(with, interval, steps); });
+  }
+  const SpringSystem system{SpringBook(options), options.particle_mass};
+  State start{};
+  Eigen::Map<Corners>(start.data()) = system.book.corners_W();
+  Eigen::Map<Corners>(start.data() + 24) = system.book.velocities_W();
+  by_steps("odeint rk4", [&](int steps) { return OdeintFixed<State, SpringSystem>(start, system, interval, steps); });
+  for_each_controlled(start, system, interval, [&](const std::string& method, auto&& make) {
+    climb(effort, T, runs, [&](int rung) {
+      const double tolerance = std::pow(10.0, -1.0 - 0.5 * effort.ladder * rung);
+      return run_once(method, tolerance, [&] { return make(tolerance); });
+    });
+  });
+}
+
+// The book of case a. The springs "themselves" are the undamped ones, integrated by composition8 far below the errors shown.
+Table spring_model_error(const Effort& effort) {
+  Table table{"spring_model_error",
+              {"stiffness", "method", "step", "from the springs' own motion (integration)", "from the rigid motion (all)",
+               "springs' own from the rigid motion (model)"},
+              {}};
+  const double T = effort.quick ? 100.0 : 600.0;
+  const int samples = 60;
+  constexpr double h = 0.1 / 6.0;  // the paper's program
+  for (const double stiffness : effort.quick ? std::vector<double>{10.0} : std::vector<double>{10.0, 100.0, 1000.0}) {
+    BookOptions options;
+    const Eigen::Vector3d I_B = principal_moments(options.size, 0.5);
+    options.omega_W = Eigen::Vector3d(1.0, 1e-3, 5e-4).cwiseQuotient(I_B);
+    options.stiffness = stiffness;
+    const double half_diagonal = 0.5 * options.size.norm();
+    const auto motion = [&](BookOptions with, double step) {
+      const int steps = static_cast<int>(std::ceil(T / samples / step));
+      SpringBook book(with);
+      std::vector<Corners> x;
+      for (int i = 0; i < samples; ++i) {
+        for (int n = 0; n < steps; ++n) book.step(T / samples / steps);
+        x.push_back(book.corners_W());
+      }
+      return x;
+    };
+    const auto largest = [&](const std::vector<Corners>& a, const std::vector<Corners>& b) {
+      double result = 0.0;
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        const double error = farthest(a[i], b[i]) / half_diagonal;
+        if (!(error < 1e3)) return std::nan("");
+        result = std::max(result, error);
+      }
+      return result;
+    };
+    std::vector<Corners> rigid;
+    for (int i = 1; i <= samples; ++i) rigid.push_back(rigid_corners(options, T * i / samples));
+    BookOptions fine = options;
+    fine.normalize = false;
+    fine.damping = 0.0;
+    fine.integrator = Integrator::composition8;
+    const std::vector<Corners> own = motion(fine, 0.1 * std::sqrt(10.0 / stiffness));
+    const double model = largest(own, rigid);
+    const auto add = [&](const char* name, const BookOptions& with) {
+      const std::vector<Corners> x = motion(with, h);
+      table.rows.push_back({stiffness, name, h, largest(x, own), largest(x, rigid), model});
+    };
+    add("explicit Euler, damped and normalized (the paper)", options);
+    BookOptions verlet = fine;
+    verlet.integrator = Integrator::velocity_verlet;
+    add("velocity Verlet, undamped", verlet);
+    BookOptions rk4 = options;
+    rk4.normalize = false;
+    rk4.integrator = Integrator::rk4;
+    add("rk4, damped", rk4);
+  }
+  return table;
+}
+
+}  // namespace bookspin

@@ -1,0 +1,230 @@
+#include "report/stability.h"
+
+#include <Eigen/Eigenvalues>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "dynamics/shape.h"
+#include "dynamics/spring_book.h"
+
+namespace bookspin {
+namespace {
+
+using Matrix2 = Eigen::Matrix2d;
+
+// What a step makes of (x, v) of the mode x'' = -gamma x' - lambda x.
+Matrix2 one_step(Integrator integrator, double lambda, double gamma, double h) {
+  Matrix2 A;
+  A << 0.0, 1.0, -lambda, -gamma;
+  const Matrix2 one = Matrix2::Identity();
+  Matrix2 M;
+  switch (integrator) {
+    case Integrator::explicit_euler:
+      return one + h * A;
+    case Integrator::semi_implicit_euler:
+      M << 1.0 - h * h * lambda, h * (1.0 - h * gamma), -h * lambda, 1.0 - h * gamma;
+      return M;
+    case Integrator::rk4: {
+      const Matrix2 hA = h * A;
+      return one + hA * (one + hA / 2.0 * (one + hA / 3.0 * (one + hA / 4.0)));
+    }
+    case Integrator::velocity_verlet: {
+      const double w = h * h * lambda;
+      M << 1.0 - w / 2.0, h, -h * lambda * (1.0 - w / 4.0), 1.0 - w / 2.0;
+      return M;
+    }
+    default:
+      assert(false);
+      return one;
+  }
+}
+
+double spectral_radius(const Matrix2& M) {
+  const double half_trace = 0.5 * M.trace();
+  const double discriminant = half_trace * half_trace - M.determinant();
+  return discriminant < 0.0 ? std::sqrt(M.determinant()) : std::abs(half_trace) + std::sqrt(discriminant);
+}
+
+bool linearly_stable(const BookOptions& options, const Eigen::VectorXd& modes, double h) {
+  const double k = options.stiffness;
+  const double m = options.particle_mass;
+  for (const double mu : modes) {
+    if (mu < 1e-9) continue;
+    const double lambda = mu * k / m;
+    const double gamma = options.damping * 2.0 * std::sqrt(k * m) / k * lambda;
+    if (spectral_radius(one_step(options.integrator, lambda, gamma, h)) > 1.0 + 1e-10) return false;
+  }
+  return true;
+}
+
+// Steps until the book has lost its shape: a corner twice as far as at rest. -1: not within `most`.
+long steps_to_explosion(const BookOptions& options, double h, long most) {
+  SpringBook book(options);
+  const Corners rest = corners_at_rest(options.size);
+  for (long n = 1; n <= most; ++n) {
+    book.step(h);
+    if (n % 4 == 0 && !(extent(book.corners_W(), rest) <= 2.0)) return n;
+  }
+  return -1;
+}
+
+BookOptions plain(double stiffness, double damping, Integrator integrator) {
+  BookOptions options;
+  options.stiffness = stiffness;
+  options.damping = damping;
+  options.integrator = integrator;
+  options.normalize = false;
+  return options;
+}
+
+}  // namespace
+
+Eigen::VectorXd spring_modes(const Eigen::Vector3d& size) {
+  const Corners x = corners_at_rest(size);
+  Eigen::Matrix<double, 24, 24> K = Eigen::Matrix<double, 24, 24>::Zero();
+  for (int i = 0; i < 8; ++i) {
+    for (int j = i + 1; j < 8; ++j) {
+      const Eigen::Vector3d xhat = (x.col(i) - x.col(j)).normalized();
+      const Eigen::Matrix3d along = xhat * xhat.transpose();
+      K.block<3, 3>(3 * i, 3 * i) += along;
+      K.block<3, 3>(3 * j, 3 * j) += along;
+      K.block<3, 3>(3 * i, 3 * j) -= along;
+      K.block<3, 3>(3 * j, 3 * i) -= along;
+    }
+  }
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 24, 24>>(K, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+double predicted_step_limit(const BookOptions& options) {
+  const Eigen::VectorXd modes = spring_modes(options.size);
+  const double natural = std::sqrt(options.particle_mass / options.stiffness);
+  double stable = 1e-4 * natural;
+  double unstable = 0.0;
+  // The first step, from below, that is not stable; then bisection.
+  for (double h = stable; h < 1e3 * natural; h *= 1.01) {
+    if (!linearly_stable(options, modes, h)) {
+      unstable = h;
+      break;
+    }
+    stable = h;
+  }
+  for (int i = 0; i < 60 && unstable > 0.0; ++i) {
+    const double middle = 0.5 * (stable + unstable);
+    (linearly_stable(options, modes, middle) ? stable : unstable) = middle;
+  }
+  return stable;
+}
+
+double measured_step_limit(const BookOptions& options, double from, double to, int steps) {
+  BookOptions slow = options;
+  // Slow enough for explicit Euler's own gain of spin, h omega^2 a unit of time, not to count within these steps.
+  slow.omega_W = Eigen::Vector3d(1.0, 0.7, 0.4) * (1e-4 * std::sqrt(options.stiffness / options.particle_mass));
+  double stable = from;
+  double unstable = to;
+  for (int i = 0; i < 14; ++i) {
+    const double middle = 0.5 * (stable + unstable);
+    (steps_to_explosion(slow, middle, steps) < 0 ? stable : unstable) = middle;
+  }
+  return 0.5 * (stable + unstable);
+}
+
+Table step_limits(const Effort& effort) {
+  Table table{"step_limits", {"stiffness", "method", "predicted step", "measured step", "measured / predicted"}, {}};
+  const int steps = effort.quick ? 1500 : 12000;
+  for (const double stiffness : effort.quick ? std::vector<double>{10.0, 1000.0} : std::vector<double>{1.0, 10.0, 100.0, 1000.0, 10000.0}) {
+    for (const auto& [name, integrator, damping] :
+         {std::tuple{"explicit Euler, damped", Integrator::explicit_euler, 1.0},
+          std::tuple{"semi-implicit Euler, damped", Integrator::semi_implicit_euler, 1.0},
+          std::tuple{"rk4, damped", Integrator::rk4, 1.0},
+          std::tuple{"semi-implicit Euler, undamped", Integrator::semi_implicit_euler, 0.0},
+          std::tuple{"velocity Verlet, undamped", Integrator::velocity_verlet, 0.0},
+          std::tuple{"rk4, undamped", Integrator::rk4, 0.0}}) {
+      const BookOptions options = plain(stiffness, damping, integrator);
+      const double predicted = predicted_step_limit(options);
+      const double measured = measured_step_limit(options, 0.8 * predicted, 1.25 * predicted, steps);
+      table.rows.push_back({stiffness, name, predicted, measured, measured / predicted});
+    }
+    table.rows.push_back({stiffness, "explicit Euler, undamped", 0.0, 0.0, "no step is stable"});
+  }
+  return table;
+}
+
+// The vibration's energy grows by (1 + h^2 lambda) a step; its velocity, by the root. The fastest mode soon leads.
+Table undamped_euler_growth(const Effort& effort) {
+  Table table{"undamped_euler_growth", {"step", "predicted rate", "measured rate", "measured / predicted"}, {}};
+  const double largest = spring_modes(BookOptions().size).maxCoeff();
+  for (const double h : effort.quick ? std::vector<double>{0.1 / 6.0} : std::vector<double>{0.05, 0.1 / 6.0, 0.005, 0.001, 0.0002}) {
+    BookOptions options = plain(10.0, 0.0, Integrator::explicit_euler);
+    options.omega_W = {0.01, 0.007, 0.004};
+    const double lambda = largest * options.stiffness / options.particle_mass;
+    const double predicted = std::log1p(h * h * lambda) / (2.0 * h);
+    // From when the fastest mode outweighs all others until the springs are far from linear.
+    SpringBook book(options);
+    const double period = 2.0 * std::numbers::pi / std::sqrt(lambda);
+    const auto elastic_mean = [&] {  // over a period
+      double sum = 0.0;
+      const int n = static_cast<int>(std::ceil(period / h));
+      for (int i = 0; i < n; ++i) {
+        book.step(h);
+        sum += book.elastic_energy();
+      }
+      return sum / n;
+    };
+    double t = 0.0;
+    std::vector<std::pair<double, double>> samples;  // t, ln(energy) / 2
+    const double span = std::ceil(period / h) * h;
+    for (double energy = 0.0; energy < 3e-2 && t < 1e6; t += span) {
+      energy = elastic_mean();
+      if (energy > 1e-3) samples.emplace_back(t, 0.5 * std::log(energy));
+    }
+    const double measured = (samples.back().second - samples.front().second) / (samples.back().first - samples.front().first);
+    table.rows.push_back({h, predicted, measured, measured / predicted});
+  }
+  return table;
+}
+
+// Frames of 0.1, books that spin at 0.6 about z (Figure 7) and 0.7 about x (Figure 8).
+//   damped: explicit Euler leaves the circle along its tangent, L grows by (1 + h^2 omega^2) a step; while the springs hold,
+//     omega' = h omega^3, so that omega is infinite at t = 1 / (2 h omega0^2).
+//   undamped: the vibration grows as above, from about m omega^2 / (mu k) of the book's size.
+Table time_to_explosion(const Effort& effort) {
+  Table table{"time_to_explosion", {"substeps a frame", "springs", "predicted time", "measured time", "measured frames"}, {}};
+  const double largest = spring_modes(BookOptions().size).maxCoeff();
+  const double most_steps = effort.quick ? 2e5 : 2e7;
+  for (const int substeps : effort.quick ? std::vector<int>{4, 16} : std::vector<int>{3, 6, 12, 25, 50, 100, 200, 400, 1000}) {
+    const double h = 0.1 / substeps;
+    for (const bool damped : {true, false}) {
+      BookOptions options = plain(10.0, damped ? 1.0 : 0.0, Integrator::explicit_euler);
+      options.omega_W = damped ? Eigen::Vector3d(0.0, 0.0, 0.6) : Eigen::Vector3d(0.7, 0.0, 0.0);
+      const double omega2 = options.omega_W.squaredNorm();
+      const double lambda = largest * options.stiffness / options.particle_mass;
+      const double predicted = damped ? 1.0 / (2.0 * h * omega2) : std::log(lambda / omega2) * 2.0 * h / std::log1p(h * h * lambda);
+      const double needed = 1.5 * predicted / h;
+      const long steps = needed > most_steps ? -1 : steps_to_explosion(options, h, 4 * static_cast<long>(needed) + 1000);
+      const double t = steps < 0 ? std::nan("") : static_cast<double>(steps) * h;
+      table.rows.push_back({static_cast<double>(substeps), damped ? "damped" : "undamped", predicted, t, t / 0.1});
+    }
+  }
+  return table;
+}
+
+Table what_normalization_hides(const Effort& effort) {
+  Table table{"what_normalization_hides", {"time", "energy ratio", "angular momentum ratio", "stretch", "floor hits"}, {}};
+  BookOptions options = plain(10.0, 0.0, Integrator::explicit_euler);
+  options.normalize = true;
+  options.omega_W = Eigen::Vector3d(0.11482, 1e-4, 5e-5);
+  SpringBook book(options);
+  const Corners rest = corners_at_rest(options.size);
+  const double E0 = book.kinetic_energy();
+  const double L0 = book.angular_momentum_W().norm();
+  const double T = effort.quick ? 30.0 : 60.0;
+  for (int n = 0; n * 0.1 <= T; ++n) {
+    table.rows.push_back({n * 0.1, (book.kinetic_energy() + book.elastic_energy()) / E0, book.angular_momentum_W().norm() / L0,
+                          stretch(book.corners_W(), rest), static_cast<double>(book.floor_hits())});
+    for (int i = 0; i < 6; ++i) book.step(0.1 / 6.0);
+  }
+  return table;
+}
+
+}  // namespace bookspin
