@@ -83,6 +83,7 @@ template <class RunAt>
 void climb(const Effort& effort, double T, std::vector<Run>& runs, RunAt&& run_at) {
   double best = 1e300;
   int worse = 0;
+  int stalled = 0;  // in a row: the loosest tolerances of an adaptive method may do so
   double last_ms = 0.0;
   for (int rung = 0; rung < 80; ++rung) {
     Run run = run_at(rung);
@@ -91,9 +92,9 @@ void climb(const Effort& effort, double T, std::vector<Run>& runs, RunAt&& run_a
       worse = run.error < 0.9 * best ? 0 : worse + 1;
       best = std::min(best, run.error);
     }
-    const bool stalled = run.outcome == Outcome::stalled;
+    stalled = run.outcome == Outcome::stalled ? stalled + 1 : 0;
     runs.push_back(std::move(run));
-    if (stalled || (best < 1e-7 && worse >= 4) || last_ms * std::pow(1.42, effort.ladder) > effort.longest_run_ms) break;
+    if (stalled == 3 || (stalled > 0 && best < 1e-2) || (best < 1e-7 && worse >= 4) || last_ms * std::pow(1.42, effort.ladder) > effort.longest_run_ms) break;
   }
 }
 

@@ -1,7 +1,7 @@
 // Boost.Odeint's methods, carried from sample to sample: rk4 by fixed steps, the others by step-size control.
 //
-// State: a std::array of doubles; System: a function object (x, dxdt, t). A control that needs more than `most_tries` steps, or
-// throws, has stalled. Source: Boost.Numeric.Odeint's documentation, "Steppers".
+// State: a std::array of doubles; System: a function object (x, dxdt, t). A control that tries more than `most_tries` steps from
+// one sample to the next, or throws, has stalled. Source: Boost.Numeric.Odeint's documentation, "Steppers".
 #pragma once
 
 #include <algorithm>
@@ -39,10 +39,11 @@ class OdeintFixed {
 template <class Stepper, class State, class System>
 class OdeintControlled {
  public:
-  OdeintControlled(Stepper stepper, const State& x, const System& system, double interval)
-      : stepper_(std::move(stepper)), x_(x), system_(system), interval_(interval), step_(interval / 16) {}
+  OdeintControlled(Stepper stepper, const State& x, const System& system, double interval, double first_step)
+      : stepper_(std::move(stepper)), x_(x), system_(system), interval_(interval), step_(first_step) {}
   bool to(int sample) {
     const double end = (sample + 1) * interval_;
+    long tries = 0;
     try {
       while (end - t_ > 1e-14 * end) {
         const double wanted = step_;
@@ -50,7 +51,7 @@ class OdeintControlled {
         const bool cut = step < wanted;
         const auto result = stepper_.try_step(std::cref(system_), x_, t_, step);
         step_ = result == boost::numeric::odeint::success && cut ? std::max(step, wanted) : step;
-        if (++tries_ > most_tries || !(step_ > 0.0)) return false;
+        if (++tries > most_tries || !(step_ > 0.0)) return false;
       }
     } catch (const std::exception&) {
       return false;
@@ -60,28 +61,27 @@ class OdeintControlled {
   [[nodiscard]] const State& x() const { return x_; }
 
  private:
-  static constexpr long most_tries = 3000000;
+  static constexpr long most_tries = 50000;
   Stepper stepper_;
   State x_;
   System system_;
   double interval_;
   double step_;
   double t_ = 0.0;
-  long tries_ = 0;
 };
 
 // Calls visit(name, make) for each controlled method: make(tolerance) starts a run.
 template <class State, class System, class Visit>
-void for_each_controlled(const State& x, const System& system, double interval, Visit&& visit) {
+void for_each_controlled(const State& x, const System& system, double interval, double first_step, Visit&& visit) {
   namespace odeint = boost::numeric::odeint;
   visit("odeint dopri5", [&](double tolerance) {
-    return OdeintControlled(odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_dopri5<State>()), x, system, interval);
+    return OdeintControlled(odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_dopri5<State>()), x, system, interval, first_step);
   });
   visit("odeint fehlberg78", [&](double tolerance) {
-    return OdeintControlled(odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_fehlberg78<State>()), x, system, interval);
+    return OdeintControlled(odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_fehlberg78<State>()), x, system, interval, first_step);
   });
   visit("odeint bulirsch_stoer", [&](double tolerance) {
-    return OdeintControlled(odeint::bulirsch_stoer<State>(tolerance, tolerance), x, system, interval);
+    return OdeintControlled(odeint::bulirsch_stoer<State>(tolerance, tolerance), x, system, interval, first_step);
   });
 }
 

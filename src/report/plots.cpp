@@ -73,7 +73,7 @@ void draw_plot(const std::filesystem::path& svg, const Plot& plot) {
   std::string script =
       "set term svg size 960,560 dynamic enhanced font 'system-ui,sans-serif,15'\n"
       "set encoding utf8\nset border 3 lw 0.8\nset tics nomirror out scale 0.6\n"
-      "set grid lc rgb '#9aa3ad' lw 0.4 dt 1\nset key outside right top Left reverse samplen 3 spacing 1.15\n"
+      "set grid lc rgb '#9aa3ad' lw 0.4 dt 1\nset key outside right top Left reverse noenhanced samplen 3 spacing 1.15\n"
       "set format '10^{%T}'\n";
   script += "set output " + quoted(part) + "\n";
   script += "set xlabel " + quoted(plot.x_label) + "\nset ylabel " + quoted(plot.y_label) + "\n";
@@ -98,6 +98,7 @@ void draw_plot(const std::filesystem::path& svg, const Plot& plot) {
     std::string style = "with linespoints " + line + " " + point;
     if (series.mark == Mark::line) style = "with lines " + line;
     if (series.mark == Mark::points) style = fmt::format("with points lc rgb '{}' pt {} ps 0.9", look.color, look.point);
+    if (series.mark == Mark::rings) style = fmt::format("with points lc rgb '{}' pt 6 ps {} lw 1.6", look.color, 0.25 * static_cast<double>(i + 1));
     if (series.mark == Mark::cross) style = fmt::format("with points lc rgb '{}' pt 2 ps 0.8 lw 1.5", look.color);
     plots += fmt::format("{}$d{} using 1:2 {} {}", plots.empty() ? "plot " : ", \\\n  ", i, style, title);
   }

@@ -11,7 +11,7 @@
 
 namespace bookspin {
 
-enum class Mark { line_and_points, line, points, cross };
+enum class Mark { line_and_points, line, points, rings, cross };  // rings: concentric, one size a series
 
 struct Series {
   std::string name;                               // of the method: decides the style

@@ -165,12 +165,27 @@ void rigid_work_precision(const RigidCase& c, const Effort& effort, std::vector<
   const State start{1.0, 0.0, 0.0, 0.0, c.L_W.x(), c.L_W.y(), c.L_W.z()};
   const FreeBody body{c.I_B.cwiseInverse()};
   by_steps("odeint rk4", [&](int steps) { return OdeintFixed<State, FreeBody>(start, body, interval, steps); });
-  for_each_controlled(start, body, interval, [&](const std::string& method, auto&& make) {
+  const double first_step = std::min(interval, 0.1 / options.omega_W.norm());
+  for_each_controlled(start, body, interval, first_step, [&](const std::string& method, auto&& make) {
     climb(effort, c.T, runs, [&](int rung) {
       const double tolerance = std::pow(10.0, -1.0 - 0.5 * effort.ladder * rung);
       return run_once(c, method, tolerance, effort, [&] { return make(tolerance); });
     });
   });
+}
+
+double exact_evaluation_ns() {
+  BookOptions options;
+  options.omega_W = {0.11482, 1e-4, 5e-5};
+  const TorqueFree motion = exact_motion(options);
+  double best = 1e300;
+  double sum = 0.0;
+  for (int pass = 0; pass < 30; ++pass) {
+    const double start = now_ns();
+    for (int n = 0; n < 1200; ++n) sum += motion.at(0.5 * n).q_WB.w();
+    best = std::min(best, (now_ns() - start) / 1200.0);
+  }
+  return sum < 1e300 ? best : 0.0;  // the sum keeps the loop
 }
 
 Table cheapest(const std::vector<Run>& runs, const std::string& problem, const std::vector<double>& errors) {
@@ -199,7 +214,7 @@ Table cheapest(const std::vector<Run>& runs, const std::string& problem, const s
     for (const Run& run : runs) {
       if (run.problem == problem && run.method == method && run.outcome == Outcome::finished && (best == nullptr || run.error < best->error)) best = &run;
     }
-    row.push_back(best == nullptr ? Cell("diverged") : Cell(best->error));
+    row.push_back(best == nullptr ? Cell("none finished") : Cell(best->error));
     row.push_back(best == nullptr ? Cell("–") : Cell(best->ns_per_time));
     table.rows.push_back(std::move(row));
   }

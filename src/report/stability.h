@@ -12,20 +12,25 @@
 #include "dynamics/book.h"
 #include "report/measure.h"
 #include "report/table.h"
+#include "scene/scene.h"
 
 namespace bookspin {
 
-// Eigenvalues mu of K m / k, ascending: 24, of which six are 0 (the rigid motions).
-[[nodiscard]] Eigen::VectorXd spring_modes(const Eigen::Vector3d& size);
+struct SpringModes {
+  Eigen::VectorXd mu;       // of K m / k, ascending: 24, of which six are 0 (the rigid motions)
+  Eigen::MatrixXd vectors;  // column by column, |v| = 1, corner by corner
+};
+[[nodiscard]] SpringModes spring_modes(const Eigen::Vector3d& size);
 
 // Largest stable step from the modes; infinite or 0 never occur for a damped explicit Euler, or an undamped other method.
 [[nodiscard]] double predicted_step_limit(const BookOptions& options);
-// The same by bisection on the program's own book, turning slowly: a step is too large when the shape is lost within `steps` steps.
+// The same by bisection on the program's own book, turning slowly: a step is too large when the shape is lost
+// within `steps` steps.
 [[nodiscard]] double measured_step_limit(const BookOptions& options, double from, double to, int steps);
 
 [[nodiscard]] Table step_limits(const Effort& effort);          // over stiffness
 [[nodiscard]] Table undamped_euler_growth(const Effort& effort);  // rate of the vibration over the step
 [[nodiscard]] Table time_to_explosion(const Effort& effort);    // over substeps a frame
-[[nodiscard]] Table what_normalization_hides(const Effort& effort);  // energy and angular momentum over time
+[[nodiscard]] Table what_normalization_hides(const Scene& scene);  // its first book's energy and angular momentum, frame by frame
 
 }  // namespace bookspin

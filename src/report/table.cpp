@@ -17,9 +17,10 @@ std::string csv_cell(const Cell& cell) {
   if (const double* value = std::get_if<double>(&cell)) return std::isfinite(*value) ? fmt::format("{:.8g}", *value) : "";
   const std::string& text = std::get<std::string>(cell);
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
+  std::string quoted(1, '"');
+  for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
+  quoted += '"';
+  return quoted;
 }
 
 }  // namespace
@@ -27,7 +28,10 @@ std::string csv_cell(const Cell& cell) {
 std::string as_csv(const Table& table) {
   std::string out = fmt::format("{}\n", fmt::join(table.columns, ","));
   for (const auto& row : table.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) out += (i == 0 ? "" : ",") + csv_cell(row[i]);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i > 0) out += ',';
+      out += csv_cell(row[i]);
+    }
     out += '\n';
   }
   return out;
@@ -42,7 +46,11 @@ std::string as_html(const Table& table) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       const double* value = std::get_if<double>(&row[i]);
       const std::string text = value == nullptr ? std::get<std::string>(row[i]) : readable(*value);
-      out += i == 0 ? "<th scope=\"row\">" + text + "</th>" : (value != nullptr ? "<td class=\"n\">" : "<td>") + text + "</td>";
+      if (i == 0) {
+        out += fmt::format("<th scope=\"row\">{}</th>", text);
+      } else {
+        out += fmt::format("<td{}>{}</td>", value != nullptr ? " class=\"n\"" : "", text);
+      }
     }
     out += "</tr>\n";
   }

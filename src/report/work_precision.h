@@ -33,12 +33,15 @@ struct RigidCase {
 
 void rigid_work_precision(const RigidCase& rigid_case, const Effort& effort, std::vector<Run>& runs);
 
+// One evaluation of the exact motion, in nanoseconds: what a film's frame needs of it.
+[[nodiscard]] double exact_evaluation_ns();
+
 void spring_work_precision(const std::filesystem::path& reference, const Effort& effort, std::vector<Run>& runs);
 
 // Model error and integration error of the springs apart, over stiffness.
 [[nodiscard]] Table spring_model_error(const Effort& effort);
 
-// For each method of a problem the cheapest run that reaches each error: ns a unit of time, "never" and why, or NaN.
+// For each method of a problem the cheapest run that reaches each error: ns a unit of time, "never" when none does.
 [[nodiscard]] Table cheapest(const std::vector<Run>& runs, const std::string& problem, const std::vector<double>& errors);
 
 [[nodiscard]] Table all_runs(const std::vector<Run>& runs);

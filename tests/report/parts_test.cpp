@@ -1,0 +1,153 @@
+// The report's own machinery: tables, the page's template, the measuring of a run, the springs' modes.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "dynamics/book.h"
+#include "report/measure.h"
+#include "report/page.h"
+#include "report/plots.h"
+#include "report/stability.h"
+#include "report/table.h"
+#include "report/work_precision.h"
+#include "scratch.h"
+#include "tolerance.h"
+
+namespace bookspin {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+TEST(Tables, AsCsvAndHtml) {
+  const Table table{"t", {"method", "error"}, {{"Euler, \"matrix\"", 1.0 / 3.0}, {"never", std::nan("")}}};
+  EXPECT_EQ(as_csv(table), "method,error\n\"Euler, \"\"matrix\"\"\",0.33333333\nnever,\n");
+  EXPECT_THAT(as_html(table), HasSubstr("<td class=\"n\">0.333</td>"));
+  EXPECT_THAT(as_html(table), HasSubstr("<td class=\"n\">–</td>"));
+  EXPECT_THAT(as_json({table}, {{"commit", "c"}}), HasSubstr("\"error\": null"));
+}
+
+TEST(Tables, NumbersToRead) {
+  EXPECT_EQ(readable(1.234e-7), "1.2·10⁻⁷");
+  EXPECT_EQ(readable(123456.0), "1.2·10⁵");
+  EXPECT_EQ(readable(-0.012345), "-0.0123");
+  EXPECT_EQ(readable(12345.6), "12346");
+  EXPECT_EQ(readable(0.0), "0");
+  EXPECT_EQ(readable(std::numeric_limits<double>::infinity()), "–");
+}
+
+TEST(Tables, AFileThatCannotBeWrittenIsNamed) {
+  EXPECT_THAT([] { write_file("/proc/nowhere/a.csv", "x"); }, ThrowsMessage<std::runtime_error>(HasSubstr("/proc/nowhere/a.csv: cannot be opened for writing")));
+}
+
+TEST(Page, AsksForEveryValueAndForNoOther) {
+  const Scratch scratch;
+  write_text(scratch / "page.html", "<p>{{a}} and {{b}}</p>");
+  EXPECT_EQ(fill_page(scratch / "page.html", {{"a", "1"}, {"b", "{{2}}"}}), "<p>1 and {{2}}</p>");
+  EXPECT_THAT([&] { (void)fill_page(scratch / "page.html", {{"a", "1"}}); }, ThrowsMessage<std::runtime_error>(HasSubstr("{{b}}")));
+  EXPECT_THAT([&] { (void)fill_page(scratch / "page.html", {{"a", ""}, {"b", ""}, {"c", ""}}); }, ThrowsMessage<std::runtime_error>(HasSubstr("{{c}} is nowhere asked for")));
+  EXPECT_THROW((void)fill_page(scratch / "none.html", {}), std::runtime_error);
+}
+
+// Halves its error with every halving of the step, diverges where it is coarse, stalls where it is fine.
+struct Toy {
+  double error;
+  int last;
+  bool to(int sample) { return sample <= last; }
+};
+
+TEST(Measuring, MarksWhatDivergesAndWhatStalls) {
+  const Effort effort{100.0, 2};
+  const auto once = [&](double error, int last) {
+    bookspin::Run run{"toy", "toy", 1.0};
+    measure(run, 5, 10.0, effort, [&] { return Toy{error, last}; }, [&](const Toy& toy, int) {
+      run.error = std::max(run.error, toy.error);
+      return std::isfinite(toy.error);
+    });
+    return run;
+  };
+  EXPECT_EQ(once(0.5, 9).outcome, Outcome::finished);
+  EXPECT_EQ(once(0.5, 9).error, 0.5);
+  EXPECT_GT(once(0.5, 9).ns_per_time, 0.0);
+  EXPECT_EQ(once(std::nan(""), 9).outcome, Outcome::diverged);
+  EXPECT_TRUE(std::isnan(once(std::nan(""), 9).error));
+  EXPECT_EQ(once(0.5, 3).outcome, Outcome::stalled);
+}
+
+TEST(Measuring, ALadderEndsWhereItMust) {
+  const auto rungs = [](auto outcome_at, auto error_at) {
+    std::vector<bookspin::Run> runs;
+    climb({100.0, 1}, 1.0, runs, [&](int rung) {
+      return bookspin::Run{"toy", "toy", 1.0, error_at(rung), 0.0, 1e6 * std::pow(2.0, rung), outcome_at(rung)};
+    });
+    return runs.size();
+  };
+  const auto fine = [](int) { return Outcome::finished; };
+  EXPECT_EQ(rungs(fine, [](int) { return 3.0; }), 8U);  // 1, 2, 4, ... 128 ms: after that it would be too long
+  EXPECT_EQ(rungs([](int rung) { return rung < 2 ? Outcome::finished : Outcome::stalled; }, [](int) { return 1e-3; }), 3U);
+  EXPECT_EQ(rungs([](int rung) { return rung < 2 ? Outcome::finished : Outcome::stalled; }, [](int) { return 1.0; }), 5U);
+  std::vector<bookspin::Run> runs;
+  climb({1e9, 1}, 1.0, runs, [](int rung) { return bookspin::Run{"toy", "toy", 1.0, rung < 3 ? std::pow(1e-3, rung + 1) : 1e-9, 0.0, 1.0, Outcome::finished}; });
+  EXPECT_EQ(runs.size(), 7U);  // four without gain after the third
+}
+
+TEST(Measuring, RungsAreTwoAnOctave) {
+  EXPECT_EQ(rung_factor(0, 1.0), 1.0);
+  EXPECT_EQ(rung_factor(1, 1.0), 1.5);
+  EXPECT_EQ(rung_factor(2, 1.0), 2.0);
+  EXPECT_EQ(rung_factor(3, 2.0), 8.0);
+}
+
+TEST(Cheapest, IsTheFastestThatIsNearEnough) {
+  const std::vector<bookspin::Run> runs{{"p", "m", 1.0, 1e-1, 0.0, 10.0, Outcome::finished},
+                              {"p", "m", 0.5, 1e-3, 0.0, 30.0, Outcome::finished},
+                              {"p", "m", 0.2, 1e-5, 0.0, 20.0, Outcome::finished},
+                              {"p", "n", 0.2, std::nan(""), 0.0, 5.0, Outcome::diverged}};
+  const Table table = cheapest(runs, "p", {1e-2, 1e-6});
+  ASSERT_EQ(table.rows.size(), 2U);
+  EXPECT_EQ(std::get<double>(table.rows[0][1]), 20.0);
+  EXPECT_EQ(std::get<std::string>(table.rows[0][2]), "never");
+  EXPECT_EQ(std::get<std::string>(table.rows[1][1]), "never");
+  EXPECT_EQ(std::get<std::string>(table.rows[1][3]), "none finished");
+}
+
+TEST(RigidCases, TheOptionsAreTheSameBody) {
+  const auto cases = read_rigid_cases(std::filesystem::path(BOOKSPIN_SOURCE_DIR) / "tests/data/reference");
+  ASSERT_EQ(cases.size(), 4U);
+  for (const RigidCase& c : cases) {
+    EXPECT_EQ(c.q_WB.size(), 60U);
+    const BookOptions options = c.options();
+    const Eigen::Vector3d I_B = principal_moments(options.size, options.particle_mass);
+    EXPECT_LT((I_B - c.I_B).norm(), tolerance(1e-14) * c.I_B.norm());  // measured 3e-16
+    EXPECT_LT((I_B.cwiseProduct(options.omega_W) - c.L_W).norm(), tolerance(1e-14) * c.L_W.norm());
+  }
+}
+
+TEST(SpringModes, SixAreRigidAndTheFastestBreathes) {
+  const SpringModes modes = spring_modes(BookOptions().size);
+  ASSERT_EQ(modes.mu.size(), 24);
+  EXPECT_LT(modes.mu.head(6).cwiseAbs().maxCoeff(), tolerance(1e-13));  // measured 2e-15
+  EXPECT_GT(modes.mu(6), 0.01);
+  EXPECT_NEAR(modes.mu(23), 8.0, tolerance(1e-13));  // all eight corners outward: 8 k / m, whatever the shape
+}
+
+TEST(SpringModes, VerletsLimitIsTwoOverTheFastest) {
+  BookOptions options;
+  options.damping = 0.0;
+  options.integrator = Integrator::velocity_verlet;
+  EXPECT_NEAR(predicted_step_limit(options), 2.0 / std::sqrt(80.0), tolerance(1e-10));  // measured 4e-12
+  options.integrator = Integrator::rk4;
+  EXPECT_NEAR(predicted_step_limit(options), std::sqrt(8.0) / std::sqrt(80.0), tolerance(1e-8));  // measured 1e-10
+}
+
+TEST(Plots, WithoutAFolderTheFileIsNamed) {
+  Plot plot{"x", "y"};
+  plot.series = {{"rk4", {{1.0, 1.0}, {2.0, 0.5}}}};
+  EXPECT_THAT([&] { draw_plot("/proc/nowhere/a.svg", plot); }, ThrowsMessage<std::runtime_error>(HasSubstr("/proc/nowhere/a.svg")));
+}
+
+}  // namespace
+}  // namespace bookspin

@@ -1,0 +1,216 @@
+// The whole report, quick: every file, every table, and what they say of the methods. No time is judged.
+
+#include "report/report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "scratch.h"
+#include "tolerance.h"
+
+namespace bookspin {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+using Json = nlohmann::json;
+
+const std::vector<std::string> rigid_methods{"exact", "Euler, matrix", "Euler, quaternion", "rk4", "splitting2", "splitting4", "dmv2", "dmv6", "dmv10",
+                                             "odeint rk4", "odeint dopri5", "odeint fehlberg78", "odeint bulirsch_stoer"};
+const std::vector<std::string> spring_methods{"explicit Euler", "semi-implicit Euler", "velocity Verlet", "rk4", "composition8",
+                                              "odeint rk4", "odeint dopri5", "odeint fehlberg78", "odeint bulirsch_stoer"};
+
+// Made once for all tests.
+struct Report : testing::Test {
+  static void SetUpTestSuite() {
+    folder = fs::temp_directory_path() / ("bookspin-report-" + std::to_string(getpid()));
+    make_report({folder, BOOKSPIN_SOURCE_DIR, true}, [](std::string_view, double done) {
+      EXPECT_GE(done, 0.0);
+      EXPECT_LE(done, 1.0);
+    });
+    json = Json::parse(read_text(folder / "report.json"));
+  }
+  static void TearDownTestSuite() { fs::remove_all(folder); }
+
+  static double best_error(const std::string& problem, const std::string& method) {
+    double best = 1e300;
+    for (const Json& run : json["runs"]) {
+      if (run["problem"] == problem && run["method"] == method && run["outcome"] == "finished") best = std::min(best, run["error"].get<double>());
+    }
+    return best;
+  }
+  static double error_at(const std::string& problem, const std::string& method, double setting) {
+    for (const Json& run : json["runs"]) {
+      if (run["problem"] == problem && run["method"] == method && std::abs(run["setting"].get<double>() / setting - 1.0) < 1e-6) return run["error"].get<double>();
+    }
+    return std::nan("");
+  }
+
+  inline static fs::path folder;
+  inline static Json json;
+};
+
+TEST_F(Report, LeavesNothingHalfMade) {
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string extension = entry.path().extension().string();
+    EXPECT_TRUE(extension == ".html" || extension == ".json" || extension == ".csv" || extension == ".svg") << entry.path();
+    EXPECT_GT(entry.file_size(), 40U) << entry.path();
+  }
+}
+
+TEST_F(Report, ThePageShowsOnlyWhatIsThere) {
+  const std::string page = read_text(folder / "index.html");
+  EXPECT_THAT(page, Not(HasSubstr("{{")));
+  EXPECT_THAT(page, Not(HasSubstr("nan")));
+  const std::regex link("(?:src|href)=\"([^\"]+)\"");
+  int links = 0;
+  for (auto it = std::sregex_iterator(page.begin(), page.end(), link); it != std::sregex_iterator(); ++it) {
+    EXPECT_TRUE(fs::exists(folder / (*it)[1].str())) << (*it)[1];
+    ++links;
+  }
+  EXPECT_GE(links, 20);
+  for (const auto& entry : fs::directory_iterator(folder)) {  // and all of it
+    if (entry.path().extension() != ".html") EXPECT_THAT(page, HasSubstr('"' + entry.path().filename().string() + '"'));
+  }
+}
+
+TEST_F(Report, SaysWhereItWasMade) {
+  for (const char* key : {"processor", "cores", "compiler", "flags", "commit"}) EXPECT_NE(json[key].get<std::string>(), "") << key;
+  EXPECT_THAT(json["flags"].get<std::string>(), HasSubstr("-ffp-contract=off"));
+}
+
+TEST_F(Report, EveryTableHasEveryMethod) {
+  const auto methods_of = [](const std::string& table) {
+    std::vector<std::string> methods;
+    for (const Json& row : json[table]) methods.push_back(row["method"]);
+    return methods;
+  };
+  for (const char* letter : {"a", "b", "c", "d"}) EXPECT_EQ(methods_of(std::string("cheapest_") + letter), rigid_methods) << letter;
+  EXPECT_EQ(methods_of("cheapest_springs"), spring_methods);
+  EXPECT_EQ(json["growth_rates"].size(), 14U);
+  EXPECT_EQ(json["flip_times"][0].size(), 16U);
+}
+
+TEST_F(Report, TheExactMethodBeatsAll) {
+  for (const char* problem : {"case a", "case b", "case c", "case d"}) {
+    const double exact = best_error(problem, "exact");
+    EXPECT_LT(exact, tolerance(1e-14)) << problem;  // measured 1.3e-15
+    for (const std::string& method : rigid_methods) {
+      if (method != "exact") EXPECT_LT(10.0 * exact, best_error(problem, method)) << problem << ' ' << method;
+    }
+  }
+}
+
+TEST_F(Report, NothingThatStepsReachesTheSeparatrix) {
+  for (const std::string& method : rigid_methods) {
+    if (method != "exact") EXPECT_GT(best_error("case b", method), 1.0) << method;
+  }
+}
+
+TEST_F(Report, EulerLosesTheBook) {
+  EXPECT_GT(best_error("case a", "Euler, matrix"), 1.0);
+  EXPECT_GT(best_error("case a", "Euler, quaternion"), 1.0);
+  EXPECT_GT(best_error("springs", "explicit Euler"), 1.0);
+  EXPECT_LT(best_error("case a", "rk4"), 1e-6);
+}
+
+TEST_F(Report, HigherOrderIsNearerAtTheSameStep) {
+  const double h = 10.0 / 11.0;  // a coarse step all have in common
+  double step = 0.0;
+  for (const Json& run : json["runs"]) {
+    if (run["problem"] == "case a" && run["method"] == "dmv10" && run["outcome"] == "finished" && std::abs(std::log(run["setting"].get<double>() / h)) < 0.6) {
+      step = run["setting"];
+    }
+  }
+  ASSERT_GT(step, 0.0);
+  const double dmv2 = error_at("case a", "dmv2", step);
+  const double dmv6 = error_at("case a", "dmv6", step);
+  const double dmv10 = error_at("case a", "dmv10", step);
+  EXPECT_LT(100.0 * dmv6, dmv2);
+  EXPECT_LT(10.0 * dmv10, dmv6);
+}
+
+TEST_F(Report, RunsThatEndBadlyAreMarked) {
+  int diverged = 0;
+  for (const Json& run : json["runs"]) {
+    const bool finished = run["outcome"] == "finished";
+    EXPECT_EQ(finished, run["error"].is_number()) << run;
+    diverged += finished ? 0 : 1;
+  }
+  EXPECT_GT(diverged, 0);  // DMV beyond its reach, springs beyond their limit
+}
+
+TEST_F(Report, PredictedAndMeasuredStepLimitsAgree) {
+  int compared = 0;
+  for (const Json& row : json["step_limits"]) {
+    if (!row["measured / predicted"].is_number()) continue;
+    EXPECT_NEAR(row["measured / predicted"].get<double>(), 1.0, tolerance(0.01)) << row;  // measured 0.0057
+    ++compared;
+  }
+  EXPECT_EQ(compared, 12);
+}
+
+TEST_F(Report, UndampedEulerGrowsAtThePredictedRate) {
+  for (const Json& row : json["undamped_euler_growth"]) EXPECT_NEAR(row["measured / predicted"].get<double>(), 1.0, tolerance(0.03)) << row;  // measured 0.013
+}
+
+TEST_F(Report, ExplosionsComeWhenTheyShould) {
+  for (const Json& row : json["time_to_explosion"]) EXPECT_NEAR(row["measured / predicted"].get<double>(), 1.0, tolerance(0.25)) << row;  // measured 0.16
+}
+
+TEST_F(Report, TiltsGrowAtSigma) {
+  for (const Json& row : json["growth_rates"]) EXPECT_NEAR(row["growth rate / sigma - 1"].get<double>(), 0.0, tolerance(2e-3)) << row;  // measured 9.4e-4
+}
+
+TEST_F(Report, FlipsComeAtTheirTimes) {
+  int flips = 0;
+  for (const Json& row : json["flip_times"]) {
+    if (!row["theory"].is_number() || row["theory"].get<double>() > 399.0) continue;
+    for (const auto& [method, time] : row.items()) {
+      if (method == "kick") continue;
+      ASSERT_TRUE(time.is_number()) << method << row;
+      EXPECT_NEAR(time.get<double>(), row["theory"].get<double>(), tolerance(0.5)) << method << row;  // measured 0.25, sampled each 0.1
+      ++flips;
+    }
+  }
+  EXPECT_GE(flips, 30);
+}
+
+TEST_F(Report, NormalizationHidesTheLossOfAngularMomentum) {
+  const Json& last = json["what_normalization_hides"].back();
+  EXPECT_NEAR(last["energy ratio"].get<double>(), 1.0, 0.02);
+  EXPECT_LT(last["angular momentum ratio"].get<double>(), 0.1);
+}
+
+TEST_F(Report, EveryClaimHasAVerdictANumberAndACommand) {
+  std::map<std::string, int> verdicts;
+  for (const Json& claim : json["claims"]) {
+    ++verdicts[claim["verdict"]];
+    EXPECT_THAT(claim["command"].get<std::string>(), testing::AnyOf(HasSubstr("build/bookspin check videos/"), testing::Eq("make report")));
+    EXPECT_NE(claim["measured"].get<std::string>(), "");
+    if (claim["claim"].get<std::string>().find("Euler integration is sufficient") != std::string::npos) EXPECT_EQ(claim["verdict"], "refuted");
+    if (claim["claim"].get<std::string>().find("SVD") != std::string::npos) EXPECT_EQ(claim["section"], "4.4");
+  }
+  EXPECT_GE(json["claims"].size(), 20U);
+  EXPECT_GE(verdicts["supported"], 5);
+  EXPECT_GE(verdicts["limited"], 3);
+}
+
+TEST_F(Report, PlotsAreDrawn) {
+  for (const char* name : {"work_precision_a", "work_precision_b", "work_precision_c", "work_precision_d", "work_precision_springs",
+                           "work_precision_springs_rigid", "step_limits", "time_to_explosion", "what_normalization_hides", "flip_times",
+                           "accuracy_in_a_film"}) {
+    const std::string svg = read_text(folder / (std::string(name) + ".svg"));
+    EXPECT_THAT(svg, HasSubstr("</svg>")) << name;
+    EXPECT_THAT(svg, HasSubstr("<path")) << name;
+  }
+}
+
+}  // namespace
+}  // namespace bookspin
