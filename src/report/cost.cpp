@@ -45,9 +45,11 @@ FrameCost frame_cost(const Scene& scene, const FrameCostOrder& order) {
   Renderer renderer(order.width, order.height, order.assets);
   cost.renderer = renderer.description();
   renderer.draw(storyboard.shot(first));  // compiles the shaders
-  cost.drawing = least(order.passes, [&] {
-                   for (int n = 0; n < frames; ++n) renderer.draw(storyboard.shot(first + n));
-                 }) / frames;
+  cost.drawing = least(order.passes,
+                       [&] {
+                         for (int n = 0; n < frames; ++n) renderer.draw(storyboard.shot(first + n));
+                       }) /
+                 frames;
 
   const auto pixels = static_cast<std::size_t>(order.width) * static_cast<std::size_t>(order.height);
   std::vector<std::uint8_t> y(pixels), cb(pixels / 4), cr(pixels / 4);

@@ -1,7 +1,8 @@
 // What a frame of a film costs, stage by stage: CPU time, milliseconds.
 //
-// CPU time of the process, not wall time: what other programs do on the machine shows in the second and hardly in the first.
-// Each stage is the least of several passes over the same frames from the film's middle. Conversion: RGB to I420.
+// CPU time of the process, not wall time: what other programs do on the machine shows in the second and hardly in the
+// first. Each stage is the least of several passes over the same frames from the film's middle. Conversion: RGB to
+// I420.
 #pragma once
 
 #include <filesystem>

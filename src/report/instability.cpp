@@ -56,7 +56,8 @@ BookOptions options_for(const Contender& contender, double kick) {
   return options;
 }
 
-// Calls look(t, l_B) each 0.1 with the direction of the angular momentum in the body frame, until it says false or the time is over.
+// Calls look(t, l_B) each 0.1 with the direction of the angular momentum in the body frame, until it says false or the
+// time is over.
 template <class Look>
 void follow(const Contender& contender, const BookOptions& options, double T, Look&& look) {
   const auto samples = static_cast<long>(std::ceil(T / (steps_a_sample * h)));
@@ -93,7 +94,9 @@ void follow(const Contender& contender, const BookOptions& options, double T, Lo
   }
 }
 
-double tilt_of(const Eigen::Vector3d& l_B) { return std::atan2(l_B.tail<2>().norm(), l_B.x()); }
+double tilt_of(const Eigen::Vector3d& l_B) {
+  return std::atan2(l_B.tail<2>().norm(), l_B.x());
+}
 
 // Slope of ln(tilt) over t while the tilt is between `low` and `high`.
 double growth_rate(const Contender& contender, double kick, double low, double high) {

@@ -19,7 +19,8 @@ std::string first_line_of(const std::string& command) {
 }  // namespace
 
 Machine this_machine(const std::filesystem::path& project) {
-  Machine machine{"unknown processor", static_cast<int>(std::thread::hardware_concurrency()), BOOKSPIN_COMPILER, BOOKSPIN_FLAGS, ""};
+  Machine machine{"unknown processor", static_cast<int>(std::thread::hardware_concurrency()), BOOKSPIN_COMPILER,
+                  BOOKSPIN_FLAGS, ""};
   std::ifstream cpuinfo("/proc/cpuinfo");
   for (std::string line; std::getline(cpuinfo, line);) {
     if (line.starts_with("model name")) {

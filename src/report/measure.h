@@ -1,8 +1,9 @@
 // The measuring of one run: its error at the samples, and the least time that it was seen to take.
 //
-// A run starts by start() and is carried from sample to sample by to(sample); it is repeated, and of every stretch between
-// two samples (of the whole when that is short) the least time counts: what else the machine does in between does not.
-// The clock is the steady one. A run that ends in non-finite numbers diverged; one whose step-size control gives up stalled.
+// A run starts by start() and is carried from sample to sample by to(sample); it is repeated, and of every stretch
+// between two samples (of the whole when that is short) the least time counts: what else the machine does in between
+// does not. The clock is the steady one. A run that ends in non-finite numbers diverged; one whose step-size control
+// gives up stalled.
 #pragma once
 
 #include <algorithm>
@@ -32,10 +33,11 @@ enum class Outcome { finished, diverged, stalled };
 struct Run {
   std::string problem;
   std::string method;
-  double setting = 0.0;       // the step h, or the tolerance of an adaptive method; 0: none
-  double error = 0.0;         // largest over the samples; NaN unless finished
-  double other_error = 0.0;   // springs: the same against the rigid motion
-  double ns_per_time = 0.0;   // nanoseconds for one unit of simulated time; of what was done before it diverged or stalled, too
+  double setting = 0.0;      // the step h, or the tolerance of an adaptive method; 0: none
+  double error = 0.0;        // largest over the samples; NaN unless finished
+  double other_error = 0.0;  // springs: the same against the rigid motion
+  double ns_per_time =
+      0.0;  // nanoseconds for one unit of simulated time; of what was done before it diverged or stalled, too
   Outcome outcome = Outcome::finished;
 };
 
@@ -78,7 +80,8 @@ void measure(Run& run, int samples, double T, const Effort& effort, Start&& star
   run.ns_per_time = std::min(least_whole, std::accumulate(least.begin(), least.end(), 0.0)) / T;
 }
 
-// Runs at ever finer settings, rung 0, 1, 2, ...: until a run would take too long, or until rounding has long taken over.
+// Runs at ever finer settings, rung 0, 1, 2, ...: until a run would take too long, or until rounding has long taken
+// over.
 template <class RunAt>
 void climb(const Effort& effort, double T, std::vector<Run>& runs, RunAt&& run_at) {
   double best = 1e300;
@@ -94,7 +97,9 @@ void climb(const Effort& effort, double T, std::vector<Run>& runs, RunAt&& run_a
     }
     stalled = run.outcome == Outcome::stalled ? stalled + 1 : 0;
     runs.push_back(std::move(run));
-    if (stalled == 3 || (stalled > 0 && best < 1e-2) || (best < 1e-7 && worse >= 4) || last_ms * std::pow(1.42, effort.ladder) > effort.longest_run_ms) break;
+    if (stalled == 3 || (stalled > 0 && best < 1e-2) || (best < 1e-7 && worse >= 4) ||
+        last_ms * std::pow(1.42, effort.ladder) > effort.longest_run_ms)
+      break;
   }
 }
 

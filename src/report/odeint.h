@@ -1,7 +1,7 @@
 // Boost.Odeint's methods, carried from sample to sample: rk4 by fixed steps, the others by step-size control.
 //
-// State: a std::array of doubles; System: a function object (x, dxdt, t). A control that tries more than `most_tries` steps from
-// one sample to the next, or throws, has stalled. Source: Boost.Numeric.Odeint's documentation, "Steppers".
+// State: a std::array of doubles; System: a function object (x, dxdt, t). A control that tries more than `most_tries`
+// steps from one sample to the next, or throws, has stalled. Source: Boost.Numeric.Odeint's documentation, "Steppers".
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,8 @@ class OdeintFixed {
   OdeintFixed(const State& x, const System& system, double interval, int steps)
       : x_(x), system_(system), h_(interval / steps), steps_(steps) {}
   bool to(int /*sample*/) {
-    for (int i = 0; i < steps_; ++i) stepper_.do_step(std::cref(system_), x_, 0.0, h_);  // the systems here do not depend on t
+    for (int i = 0; i < steps_; ++i)
+      stepper_.do_step(std::cref(system_), x_, 0.0, h_);  // the systems here do not depend on t
     return true;
   }
   [[nodiscard]] const State& x() const { return x_; }
@@ -75,10 +76,12 @@ template <class State, class System, class Visit>
 void for_each_controlled(const State& x, const System& system, double interval, double first_step, Visit&& visit) {
   namespace odeint = boost::numeric::odeint;
   visit("odeint dopri5", [&](double tolerance) {
-    return OdeintControlled(odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_dopri5<State>()), x, system, interval, first_step);
+    return OdeintControlled(odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_dopri5<State>()), x,
+                            system, interval, first_step);
   });
   visit("odeint fehlberg78", [&](double tolerance) {
-    return OdeintControlled(odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_fehlberg78<State>()), x, system, interval, first_step);
+    return OdeintControlled(odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_fehlberg78<State>()), x,
+                            system, interval, first_step);
   });
   visit("odeint bulirsch_stoer", [&](double tolerance) {
     return OdeintControlled(odeint::bulirsch_stoer<State>(tolerance, tolerance), x, system, interval, first_step);

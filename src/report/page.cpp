@@ -24,14 +24,16 @@ std::string fill_page(const std::filesystem::path& page_template, const PageValu
     const std::string key = text.substr(open + 2, close == std::string::npos ? close : close - open - 2);
     const auto value = values.find(key);
     if (close == std::string::npos || value == values.end()) {
-      throw std::runtime_error(page_template.string() + ": {{" + key.substr(0, 40) + "}}: the report has no such value");
+      throw std::runtime_error(page_template.string() + ": {{" + key.substr(0, 40) +
+                               "}}: the report has no such value");
     }
     used.insert(key);
     page += value->second;
     from = close + 2;
   }
   for (const auto& [key, value] : values) {
-    if (!used.contains(key)) throw std::runtime_error(page_template.string() + ": {{" + key + "}} is nowhere asked for");
+    if (!used.contains(key))
+      throw std::runtime_error(page_template.string() + ": {{" + key + "}} is nowhere asked for");
   }
   return page;
 }

@@ -1,6 +1,7 @@
 // Fills the report's page: {{key}} in videos/report/page.html by the value of that key, as it is.
 //
-// Throws std::runtime_error for a key that the template asks for and nobody gives, and one that is given and not asked for.
+// Throws std::runtime_error for a key that the template asks for and nobody gives, and one that is given and not asked
+// for.
 #pragma once
 
 #include <filesystem>

@@ -52,7 +52,8 @@ Look look_of(const std::string& name) {
   const Look* best = nullptr;
   for (const Look& look : looks) {
     const std::string_view prefix = look.name;
-    if (name.starts_with(prefix) && (best == nullptr || prefix.size() > std::string_view(best->name).size())) best = &look;
+    if (name.starts_with(prefix) && (best == nullptr || prefix.size() > std::string_view(best->name).size()))
+      best = &look;
   }
   return best == nullptr ? Look{"", black, 2, 1, 1.5} : *best;
 }
@@ -73,7 +74,8 @@ void draw_plot(const std::filesystem::path& svg, const Plot& plot) {
   std::string script =
       "set term svg size 960,560 dynamic enhanced font 'system-ui,sans-serif,15'\n"
       "set encoding utf8\nset border 3 lw 0.8\nset tics nomirror out scale 0.6\n"
-      "set grid lc rgb '#9aa3ad' lw 0.4 dt 1\nset key outside right top Left reverse noenhanced samplen 3 spacing 1.15\n"
+      "set grid lc rgb '#9aa3ad' lw 0.4 dt 1\nset key outside right top Left reverse noenhanced samplen 3 spacing "
+      "1.15\n"
       "set format '10^{%T}'\n";
   script += "set output " + quoted(part) + "\n";
   script += "set xlabel " + quoted(plot.x_label) + "\nset ylabel " + quoted(plot.y_label) + "\n";
@@ -92,27 +94,32 @@ void draw_plot(const std::filesystem::path& svg, const Plot& plot) {
     if (data.empty()) continue;
     script += fmt::format("$d{} << EOD\n{}EOD\n", i, data);
     const Look look = look_of(series.name);
-    const std::string title = series.title == "-" ? "notitle" : "title " + quoted(series.title.empty() ? series.name : series.title);
+    const std::string title =
+        series.title == "-" ? "notitle" : "title " + quoted(series.title.empty() ? series.name : series.title);
     const std::string line = fmt::format("lc rgb '{}' lw {} dt {}", look.color, look.width, look.dash);
     const std::string point = fmt::format("pt {} ps 0.55", look.point);
     std::string style = "with linespoints " + line + " " + point;
     if (series.mark == Mark::line) style = "with lines " + line;
-    if (series.mark == Mark::points) style = fmt::format("with points lc rgb '{}' pt {} ps 0.9", look.color, look.point);
-    if (series.mark == Mark::rings) style = fmt::format("with points lc rgb '{}' pt 6 ps {} lw 1.6", look.color, 0.25 * static_cast<double>(i + 1));
+    if (series.mark == Mark::points)
+      style = fmt::format("with points lc rgb '{}' pt {} ps 0.9", look.color, look.point);
+    if (series.mark == Mark::rings)
+      style = fmt::format("with points lc rgb '{}' pt 6 ps {} lw 1.6", look.color, 0.25 * static_cast<double>(i + 1));
     if (series.mark == Mark::cross) style = fmt::format("with points lc rgb '{}' pt 2 ps 0.8 lw 1.5", look.color);
     plots += fmt::format("{}$d{} using 1:2 {} {}", plots.empty() ? "plot " : ", \\\n  ", i, style, title);
   }
   script += plots + "\n";
 
-  std::FILE* gnuplot = popen("gnuplot", "w");
+  std::FILE* gnuplot = popen("gnuplot >/dev/null 2>&1", "w");
   if (gnuplot == nullptr) throw std::runtime_error(svg.string() + ": gnuplot cannot be started");
   const bool written = std::fputs(script.c_str(), gnuplot) >= 0;
   const int status = pclose(gnuplot);
-  std::error_code error;
+  std::error_code error;  // a file that gnuplot cannot open it only complains of: then there is nothing to rename
   if (written && status == 0) std::filesystem::rename(part, svg, error);
   if (!written || status != 0 || error) {
     std::filesystem::remove(part, error);
-    throw std::runtime_error(fmt::format("{}: gnuplot could not draw it (exit status {}; is the package gnuplot-nox installed?)", svg.string(), status));
+    throw std::runtime_error(fmt::format(
+        "{}: gnuplot could not draw it (exit status {}; is the package gnuplot-nox installed, is the folder there?)",
+        svg.string(), status));
   }
 }
 

@@ -1,7 +1,7 @@
 // Plots of the report, drawn by gnuplot as SVG with a transparent ground.
 //
-// A series is a line with points in the colours of Okabe and Ito; a method keeps its colour, dash and point in every plot, and no
-// two methods share all three. Throws std::runtime_error when gnuplot fails or the file cannot be written.
+// A series is a line with points in the colours of Okabe and Ito; a method keeps its colour, dash and point in every
+// plot, and no two methods share all three. Throws std::runtime_error when gnuplot fails or the file cannot be written.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ struct Series {
   std::string name;                               // of the method: decides the style
   std::vector<std::pair<double, double>> points;  // those that are not finite are left out
   Mark mark = Mark::line_and_points;
-  std::string title;                              // in the key; empty: the name; "-": not in the key
+  std::string title;  // in the key; empty: the name; "-": not in the key
 };
 
 struct Plot {
@@ -25,7 +25,7 @@ struct Plot {
   std::string y_label;
   bool log_x = true;
   bool log_y = true;
-  std::string x_range = "";      // gnuplot's, such as "[1:1e5]"; empty: automatic
+  std::string x_range = "";  // gnuplot's, such as "[1:1e5]"; empty: automatic
   std::string y_range = "";
   std::vector<std::string> more{};  // further gnuplot commands
   std::vector<Series> series{};

@@ -38,7 +38,8 @@ struct FreeBody {
 template <class Book>
 class Stepped {
  public:
-  Stepped(const BookOptions& options, double interval, int steps) : book_(options), h_(interval / steps), steps_(steps) {}
+  Stepped(const BookOptions& options, double interval, int steps)
+      : book_(options), h_(interval / steps), steps_(steps) {}
   bool to(int /*sample*/) {
     for (int i = 0; i < steps_; ++i) book_.step(h_);
     return true;
@@ -59,7 +60,8 @@ class Stepped {
 
 class Exact {
  public:
-  Exact(const RigidCase& c, double interval) : motion_(c.I_B, Eigen::Quaterniond::Identity(), c.L_W), interval_(interval) {}
+  Exact(const RigidCase& c, double interval)
+      : motion_(c.I_B, Eigen::Quaterniond::Identity(), c.L_W), interval_(interval) {}
   bool to(int sample) {
     state_ = motion_.at((sample + 1) * interval_);
     return true;
@@ -131,7 +133,8 @@ std::vector<RigidCase> read_rigid_cases(const std::filesystem::path& reference) 
       numbers >> t >> q.w() >> q.x() >> q.y() >> q.z();
       c.q_WB.push_back(q);
     }
-    if (c.q_WB.empty() || !(c.T > 0.0)) throw std::runtime_error((reference / "cases.txt").string() + ": no such case: " + line);
+    if (c.q_WB.empty() || !(c.T > 0.0))
+      throw std::runtime_error((reference / "cases.txt").string() + ": no such case: " + line);
     cases.push_back(std::move(c));
   }
   return cases;
@@ -155,8 +158,9 @@ void rigid_work_precision(const RigidCase& c, const Effort& effort, std::vector<
   by_steps("Euler, matrix", [&](int steps) { return Stepped<MatrixBook>(options, interval, steps); });
   by_steps("Euler, quaternion", [&](int steps) { return Stepped<QuaternionBook>(options, interval, steps); });
   for (const auto& [name, integrator] :
-       {std::pair{"rk4", Integrator::rk4}, std::pair{"splitting2", Integrator::splitting2}, std::pair{"splitting4", Integrator::splitting4},
-        std::pair{"dmv2", Integrator::dmv2}, std::pair{"dmv6", Integrator::dmv6}, std::pair{"dmv10", Integrator::dmv10}}) {
+       {std::pair{"rk4", Integrator::rk4}, std::pair{"splitting2", Integrator::splitting2},
+        std::pair{"splitting4", Integrator::splitting4}, std::pair{"dmv2", Integrator::dmv2},
+        std::pair{"dmv6", Integrator::dmv6}, std::pair{"dmv10", Integrator::dmv10}}) {
     BookOptions with = options;
     with.integrator = integrator;
     by_steps(name, [&](int steps) { return Stepped<FreeBook>(with, interval, steps); });
@@ -194,14 +198,16 @@ Table cheapest(const std::vector<Run>& runs, const std::string& problem, const s
   table.columns.insert(table.columns.end(), {"best error", "ns at best"});
   std::vector<std::string> methods;
   for (const Run& run : runs) {
-    if (run.problem == problem && std::find(methods.begin(), methods.end(), run.method) == methods.end()) methods.push_back(run.method);
+    if (run.problem == problem && std::find(methods.begin(), methods.end(), run.method) == methods.end())
+      methods.push_back(run.method);
   }
   for (const std::string& method : methods) {
     std::vector<Cell> row{method};
     const auto cheapest_for = [&](double error) -> const Run* {
       const Run* best = nullptr;
       for (const Run& run : runs) {
-        if (run.problem != problem || run.method != method || run.outcome != Outcome::finished || !(run.error <= error)) continue;
+        if (run.problem != problem || run.method != method || run.outcome != Outcome::finished || !(run.error <= error))
+          continue;
         if (best == nullptr || run.ns_per_time < best->ns_per_time) best = &run;
       }
       return best;
@@ -212,7 +218,9 @@ Table cheapest(const std::vector<Run>& runs, const std::string& problem, const s
     }
     const Run* best = nullptr;
     for (const Run& run : runs) {
-      if (run.problem == problem && run.method == method && run.outcome == Outcome::finished && (best == nullptr || run.error < best->error)) best = &run;
+      if (run.problem == problem && run.method == method && run.outcome == Outcome::finished &&
+          (best == nullptr || run.error < best->error))
+        best = &run;
     }
     row.push_back(best == nullptr ? Cell("none finished") : Cell(best->error));
     row.push_back(best == nullptr ? Cell("–") : Cell(best->ns_per_time));
@@ -222,11 +230,17 @@ Table cheapest(const std::vector<Run>& runs, const std::string& problem, const s
 }
 
 Table all_runs(const std::vector<Run>& runs) {
-  Table table{"runs", {"problem", "method", "setting", "error", "error against the rigid motion", "ns per unit of time", "outcome"}, {}};
+  Table table{
+      "runs",
+      {"problem", "method", "setting", "error", "error against the rigid motion", "ns per unit of time", "outcome"},
+      {}};
   for (const Run& run : runs) {
-    const char* outcome = run.outcome == Outcome::finished ? "finished" : run.outcome == Outcome::diverged ? "diverged" : "stalled";
+    const char* outcome = run.outcome == Outcome::finished   ? "finished"
+                          : run.outcome == Outcome::diverged ? "diverged"
+                                                             : "stalled";
     const bool springs = run.problem == "springs";
-    table.rows.push_back({run.problem, run.method, run.setting, run.error, springs ? Cell(run.other_error) : Cell(""), run.ns_per_time, outcome});
+    table.rows.push_back({run.problem, run.method, run.setting, run.error, springs ? Cell(run.other_error) : Cell(""),
+                          run.ns_per_time, outcome});
   }
   return table;
 }

@@ -29,7 +29,8 @@ struct SpringSystem {
 
 class Stepped {
  public:
-  Stepped(const BookOptions& options, double interval, int steps) : book_(options), h_(interval / steps), steps_(steps) {}
+  Stepped(const BookOptions& options, double interval, int steps)
+      : book_(options), h_(interval / steps), steps_(steps) {}
   bool to(int /*sample*/) {
     for (int i = 0; i < steps_; ++i) book_.step(h_);
     return true;
@@ -50,7 +51,9 @@ Corners corners_of(const auto& runner) {
   }
 }
 
-double farthest(const Corners& a, const Corners& b) { return (a - b).colwise().norm().maxCoeff(); }
+double farthest(const Corners& a, const Corners& b) {
+  return (a - b).colwise().norm().maxCoeff();
+}
 
 Corners rigid_corners(const BookOptions& options, double t) {
   return exact_motion(options).at(t).q_WB.toRotationMatrix() * corners_at_rest(options.size);
@@ -107,7 +110,8 @@ void spring_work_precision(const std::filesystem::path& reference, const Effort&
     });
   };
   for (const auto& [name, integrator] :
-       {std::pair{"explicit Euler", Integrator::explicit_euler}, std::pair{"semi-implicit Euler", Integrator::semi_implicit_euler},
+       {std::pair{"explicit Euler", Integrator::explicit_euler},
+        std::pair{"semi-implicit Euler", Integrator::semi_implicit_euler},
         std::pair{"velocity Verlet", Integrator::velocity_verlet}, std::pair{"rk4", Integrator::rk4},
         std::pair{"composition8", Integrator::composition8}}) {
     BookOptions with = options;
@@ -127,10 +131,13 @@ void spring_work_precision(const std::filesystem::path& reference, const Effort&
   });
 }
 
-// The book of case a under three models. Each model's own motion is computed by a method and step far more accurate than what is shown.
+// The book of case a under three models. Each model's own motion is computed by a method and step far more accurate
+// than what is shown.
 Table spring_model_error(const Effort& effort) {
-  Table table{"spring_model_error",
-              {"stiffness", "springs", "method", "step", "integration error", "model error", "all: from the rigid motion"}, {}};
+  Table table{
+      "spring_model_error",
+      {"stiffness", "springs", "method", "step", "integration error", "model error", "all: from the rigid motion"},
+      {}};
   const double T = effort.quick ? 100.0 : 600.0;
   constexpr int samples = 60;
   constexpr double h = 0.1 / 6.0;  // the paper's program
@@ -160,7 +167,8 @@ Table spring_model_error(const Effort& effort) {
       }
       return result;
     };
-    const auto add = [&](const char* springs, const char* method, BookOptions fine, double fine_step, Integrator integrator) {
+    const auto add = [&](const char* springs, const char* method, BookOptions fine, double fine_step,
+                         Integrator integrator) {
       const std::vector<Corners> own = motion(fine, fine_step);
       fine.integrator = integrator;
       const std::vector<Corners> x = motion(fine, h);

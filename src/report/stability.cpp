@@ -47,8 +47,31 @@ double spectral_radius(const Matrix2& M) {
   return discriminant < 0.0 ? std::sqrt(M.determinant()) : std::abs(half_trace) + std::sqrt(discriminant);
 }
 
-using Matrix24 = Eigen::Matrix<double, 24, 24>;
-using Vector24 = Eigen::Matrix<double, 24, 1>;
+bool linearly_stable(const BookOptions& options, const Eigen::VectorXd& mu_of_modes, double h) {
+  const double k = options.stiffness;
+  const double m = options.particle_mass;
+  for (const double mu : mu_of_modes) {
+    if (mu < 1e-9) continue;
+    const double lambda = mu * k / m;
+    const double gamma = options.damping * 2.0 * std::sqrt(k * m) / k * lambda;
+    if (spectral_radius(one_step(options.integrator, lambda, gamma, h)) > 1.0 + 1e-10) return false;
+  }
+  return true;
+}
+
+// Stretched by more than a thousandth: far above what the slow turn does, far below where the springs' nonlinearity
+// holds a growing vibration back (which it does: just beyond the limit some never explode).
+bool keeps_shape(const BookOptions& options, double h, int steps) {
+  SpringBook book(options);
+  const Corners rest = corners_at_rest(options.size);
+  for (int n = 1; n <= steps; ++n) {
+    book.step(h);
+    if (n % 16 == 0 && !(stretch(book.corners_W(), rest) <= 1e-3)) return false;
+  }
+  return true;
+}
+
+}  // namespace
 
 // K m / k on the positions, corner by corner.
 Matrix24 stiffness_matrix(const Eigen::Vector3d& size) {
@@ -67,101 +90,7 @@ Matrix24 stiffness_matrix(const Eigen::Vector3d& size) {
   return K;
 }
 
-// Distances from the axis of omega: what the centrifugal force pulls at.
-Vector24 from_axis(const Vector24& x, const Eigen::Vector3d& omega) {
-  const Eigen::Vector3d axis = omega.normalized();
-  Vector24 result;
-  for (int i = 0; i < 8; ++i) {
-    const Eigen::Vector3d corner = x.segment<3>(3 * i);
-    result.segment<3>(3 * i) = corner - axis * axis.dot(corner);
-  }
-  return result;
-}
-
-// The turning book's springs start at rest, so that each mode swings by a = omega^2 f / lambda about its balance, f the centrifugal
-// pull on it; explicit Euler swells that by sqrt(1 + h^2 lambda) a step. The time until a corner may have moved by half a diagonal.
-double predicted_undamped_explosion(const BookOptions& options, double h) {
-  const SpringModes modes = spring_modes(options.size);
-  const Corners rest = corners_at_rest(options.size);
-  const Vector24 pull = modes.vectors.transpose() * from_axis(rest.reshaped(), options.omega_W);
-  const auto moved = [&](double t) {
-    Eigen::Matrix<double, 8, 1> distance = Eigen::Matrix<double, 8, 1>::Zero();
-    for (int mode = 0; mode < 24; ++mode) {
-      const double lambda = modes.mu(mode) * options.stiffness / options.particle_mass;
-      if (lambda < 1e-9) continue;
-      const double amplitude = std::abs(pull(mode)) * options.omega_W.squaredNorm() / lambda * std::exp(std::log1p(h * h * lambda) / (2.0 * h) * t);
-      for (int i = 0; i < 8; ++i) distance(i) += amplitude * modes.vectors.col(mode).segment<3>(3 * i).norm();
-    }
-    return distance.maxCoeff();
-  };
-  double before = 0.0;
-  double after = 1.0;
-  while (moved(after) < 0.5 * options.size.norm()) after *= 2.0;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (before + after);
-    (moved(middle) < 0.5 * options.size.norm() ? before : after) = middle;
-  }
-  return after;
-}
-
-// Damped, the book is always in balance: (K - m omega^2 P) u = m omega^2 P x, P taking the distance from the axis. Explicit Euler leaves
-// the circle along its tangent, so that L grows by (1 + h^2 omega^2) a step: t = integral of d(ln L) / (h omega^2), L = I(omega) omega, until
-// a corner is twice as far as at rest, or the springs can bear no more spin. A stiff book's I is constant, and t = 1 / (2 h omega^2).
-double predicted_damped_explosion(const BookOptions& options, double h) {
-  const Matrix24 K = options.stiffness / options.particle_mass * stiffness_matrix(options.size);
-  const Corners rest = corners_at_rest(options.size);
-  const Vector24 x = rest.reshaped();
-  Matrix24 P;
-  for (int d = 0; d < 24; ++d) P.col(d) = from_axis(Vector24::Unit(d), options.omega_W);
-  double t = 0.0;
-  double log_L = std::nan("");
-  for (double omega = options.omega_W.norm(); true; omega *= 1.002) {
-    const Vector24 u = (K - omega * omega * P).completeOrthogonalDecomposition().solve(omega * omega * (P * x));
-    const Vector24 now = x + u;
-    const double next = std::log((P * now).squaredNorm() * omega);
-    const Corners corners = now.reshaped(3, 8);
-    if (next < log_L || extent(corners, rest) > 2.0) return t;
-    if (!std::isnan(log_L)) t += (next - log_L) / (h * omega * omega);
-    log_L = next;
-  }
-}
-
-bool linearly_stable(const BookOptions& options, const Eigen::VectorXd& mu_of_modes, double h) {
-  const double k = options.stiffness;
-  const double m = options.particle_mass;
-  for (const double mu : mu_of_modes) {
-    if (mu < 1e-9) continue;
-    const double lambda = mu * k / m;
-    const double gamma = options.damping * 2.0 * std::sqrt(k * m) / k * lambda;
-    if (spectral_radius(one_step(options.integrator, lambda, gamma, h)) > 1.0 + 1e-10) return false;
-  }
-  return true;
-}
-
-// Steps until a corner is twice as far as at rest. -1: not within `most`.
-long steps_to_explosion(const BookOptions& options, double h, long most) {
-  SpringBook book(options);
-  const Corners rest = corners_at_rest(options.size);
-  for (long n = 1; n <= most; ++n) {
-    book.step(h);
-    if (n % 4 == 0 && !(extent(book.corners_W(), rest) <= 2.0)) return n;
-  }
-  return -1;
-}
-
-// Stretched by more than a thousandth: far above what the slow turn does, far below where the springs' nonlinearity holds a
-// growing vibration back (which it does: just beyond the limit some never explode).
-bool keeps_shape(const BookOptions& options, double h, int steps) {
-  SpringBook book(options);
-  const Corners rest = corners_at_rest(options.size);
-  for (int n = 1; n <= steps; ++n) {
-    book.step(h);
-    if (n % 16 == 0 && !(stretch(book.corners_W(), rest) <= 1e-3)) return false;
-  }
-  return true;
-}
-
-BookOptions plain(double stiffness, double damping, Integrator integrator) {
+BookOptions unnormalized_springs(double stiffness, double damping, Integrator integrator) {
   BookOptions options;
   options.stiffness = stiffness;
   options.damping = damping;
@@ -169,8 +98,6 @@ BookOptions plain(double stiffness, double damping, Integrator integrator) {
   options.normalize = false;
   return options;
 }
-
-}  // namespace
 
 SpringModes spring_modes(const Eigen::Vector3d& size) {
   const Eigen::SelfAdjointEigenSolver<Matrix24> solver(stiffness_matrix(size));
@@ -213,7 +140,8 @@ double measured_step_limit(const BookOptions& options, double from, double to, i
 Table step_limits(const Effort& effort) {
   Table table{"step_limits", {"stiffness", "method", "predicted step", "measured step", "measured / predicted"}, {}};
   const int steps = effort.quick ? 1500 : 12000;
-  for (const double stiffness : effort.quick ? std::vector<double>{10.0, 1000.0} : std::vector<double>{1.0, 10.0, 100.0, 1000.0, 10000.0}) {
+  for (const double stiffness :
+       effort.quick ? std::vector<double>{10.0, 1000.0} : std::vector<double>{1.0, 10.0, 100.0, 1000.0, 10000.0}) {
     for (const auto& [name, integrator, damping] :
          {std::tuple{"explicit Euler, damped", Integrator::explicit_euler, 1.0},
           std::tuple{"semi-implicit Euler, damped", Integrator::semi_implicit_euler, 1.0},
@@ -221,7 +149,7 @@ Table step_limits(const Effort& effort) {
           std::tuple{"semi-implicit Euler, undamped", Integrator::semi_implicit_euler, 0.0},
           std::tuple{"velocity Verlet, undamped", Integrator::velocity_verlet, 0.0},
           std::tuple{"rk4, undamped", Integrator::rk4, 0.0}}) {
-      const BookOptions options = plain(stiffness, damping, integrator);
+      const BookOptions options = unnormalized_springs(stiffness, damping, integrator);
       const double predicted = predicted_step_limit(options);
       const double measured = measured_step_limit(options, 0.8 * predicted, 1.25 * predicted, steps);
       table.rows.push_back({stiffness, name, predicted, measured, measured / predicted});
@@ -235,8 +163,9 @@ Table step_limits(const Effort& effort) {
 Table undamped_euler_growth(const Effort& effort) {
   Table table{"undamped_euler_growth", {"step", "predicted rate", "measured rate", "measured / predicted"}, {}};
   const double largest = spring_modes(BookOptions().size).mu.maxCoeff();
-  for (const double h : effort.quick ? std::vector<double>{0.1 / 6.0} : std::vector<double>{0.05, 0.1 / 6.0, 0.005, 0.001, 0.0002}) {
-    BookOptions options = plain(10.0, 0.0, Integrator::explicit_euler);
+  for (const double h :
+       effort.quick ? std::vector<double>{0.1 / 6.0} : std::vector<double>{0.05, 0.1 / 6.0, 0.005, 0.001, 0.0002}) {
+    BookOptions options = unnormalized_springs(10.0, 0.0, Integrator::explicit_euler);
     options.omega_W = {0.01, 0.007, 0.004};
     const double lambda = largest * options.stiffness / options.particle_mass;
     const double predicted = std::log1p(h * h * lambda) / (2.0 * h);
@@ -259,40 +188,22 @@ Table undamped_euler_growth(const Effort& effort) {
       energy = elastic_mean();
       if (energy > 1e-3) samples.emplace_back(t, 0.5 * std::log(energy));
     }
-    const double measured = (samples.back().second - samples.front().second) / (samples.back().first - samples.front().first);
+    const double measured =
+        (samples.back().second - samples.front().second) / (samples.back().first - samples.front().first);
     table.rows.push_back({h, predicted, measured, measured / predicted});
   }
   return table;
 }
 
-// Frames of 0.1, books that spin at 0.6 about z (Figure 7) and 0.7 about x (Figure 8).
-Table time_to_explosion(const Effort& effort) {
-  Table table{"time_to_explosion",
-              {"substeps a frame", "springs", "predicted time", "measured time", "measured / predicted", "measured frames"}, {}};
-  const double most_steps = effort.quick ? 2e5 : 2e7;
-  for (const int substeps : effort.quick ? std::vector<int>{4, 16} : std::vector<int>{3, 6, 12, 25, 50, 100, 200, 400, 1000}) {
-    const double h = 0.1 / substeps;
-    for (const bool damped : {true, false}) {
-      BookOptions options = plain(10.0, damped ? 1.0 : 0.0, Integrator::explicit_euler);
-      options.omega_W = damped ? Eigen::Vector3d(0.0, 0.0, 0.6) : Eigen::Vector3d(0.7, 0.0, 0.0);
-      const double predicted = damped ? predicted_damped_explosion(options, h) : predicted_undamped_explosion(options, h);
-      const double needed = 1.5 * predicted / h;
-      const long steps = needed > most_steps ? -1 : steps_to_explosion(options, h, 4 * static_cast<long>(needed) + 1000);
-      const double t = steps < 0 ? std::nan("") : static_cast<double>(steps) * h;
-      table.rows.push_back({static_cast<double>(substeps), damped ? "damped" : "undamped", predicted, t, t / predicted, t / 0.1});
-    }
-  }
-  return table;
-}
-
 Table what_normalization_hides(const Scene& scene) {
-  Table table{"what_normalization_hides", {"time", "energy ratio", "angular momentum ratio", "stretch", "floor hits"}, {}};
+  Table table{
+      "what_normalization_hides", {"time", "energy ratio", "angular momentum ratio", "stretch", "floor hits"}, {}};
   const Trajectory trajectory = simulate(scene);
   const std::vector<BookFrame>& frames = trajectory.books.front().frames;
   for (std::size_t n = 0; n < frames.size(); ++n) {
     const BookFrame& f = frames[n];
-    table.rows.push_back({static_cast<double>(n) * scene.clip.time_per_frame, f.energy_ratio, f.angular_momentum_ratio, f.stretch,
-                          static_cast<double>(f.floor_hits)});
+    table.rows.push_back({static_cast<double>(n) * scene.clip.time_per_frame, f.energy_ratio, f.angular_momentum_ratio,
+                          f.stretch, static_cast<double>(f.floor_hits)});
   }
   return table;
 }

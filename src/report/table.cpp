@@ -14,7 +14,8 @@ namespace bookspin {
 namespace {
 
 std::string csv_cell(const Cell& cell) {
-  if (const double* value = std::get_if<double>(&cell)) return std::isfinite(*value) ? fmt::format("{:.8g}", *value) : "";
+  if (const double* value = std::get_if<double>(&cell))
+    return std::isfinite(*value) ? fmt::format("{:.8g}", *value) : "";
   const std::string& text = std::get<std::string>(cell);
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted(1, '"');
@@ -69,7 +70,9 @@ std::string as_json(const std::vector<Table>& tables, const std::vector<std::pai
         if (value == nullptr) {
           object[table.columns[i]] = std::get<std::string>(row[i]);
         } else {
-          object[table.columns[i]] = std::isfinite(*value) ? nlohmann::ordered_json(std::stod(fmt::format("{:.8g}", *value))) : nlohmann::ordered_json();
+          object[table.columns[i]] = std::isfinite(*value)
+                                         ? nlohmann::ordered_json(std::stod(fmt::format("{:.8g}", *value)))
+                                         : nlohmann::ordered_json();
         }
       }
       rows.push_back(std::move(object));

@@ -1,10 +1,10 @@
 // Speed against error: every method at ever finer steps, its largest error over 60 samples and the time it takes.
 //
-// Rigid methods: the geodesic angle (radians) to the reference trajectories of tests/data/reference, cases a to d. Methods of
-// the program run as a script runs them, normalized after every step; Boost.Odeint's solve q' = q omega / 2, L' = L x omega.
-// Springs: the farthest that a corner is from where it should be, in half diagonals of the book, for the undamped springs of
-// ref_springs.txt: `error` against that file, `other_error` against the exact motion of the rigid body.
-// Throws std::runtime_error when a reference cannot be read.
+// Rigid methods: the geodesic angle (radians) to the reference trajectories of tests/data/reference, cases a to d.
+// Methods of the program run as a script runs them, normalized after every step; Boost.Odeint's solve q' = q omega / 2,
+// L' = L x omega. Springs: the farthest that a corner is from where it should be, in half diagonals of the book, for
+// the undamped springs of ref_springs.txt: `error` against that file, `other_error` against the exact motion of the
+// rigid body. Throws std::runtime_error when a reference cannot be read.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,11 +19,11 @@
 namespace bookspin {
 
 struct RigidCase {
-  std::string letter;                      // a, b, c, d
+  std::string letter;  // a, b, c, d
   Eigen::Vector3d I_B;
   Eigen::Vector3d L_W;
   double T = 0.0;
-  std::vector<Eigen::Quaterniond> q_WB;    // at the samples T / n, 2 T / n, ... T
+  std::vector<Eigen::Quaterniond> q_WB;  // at the samples T / n, 2 T / n, ... T
 
   // The same motion as options of the program's books: particles of mass 1/2 on a cuboid with these moments.
   [[nodiscard]] BookOptions options() const;
@@ -42,7 +42,8 @@ void spring_work_precision(const std::filesystem::path& reference, const Effort&
 [[nodiscard]] Table spring_model_error(const Effort& effort);
 
 // For each method of a problem the cheapest run that reaches each error: ns a unit of time, "never" when none does.
-[[nodiscard]] Table cheapest(const std::vector<Run>& runs, const std::string& problem, const std::vector<double>& errors);
+[[nodiscard]] Table cheapest(const std::vector<Run>& runs, const std::string& problem,
+                             const std::vector<double>& errors);
 
 [[nodiscard]] Table all_runs(const std::vector<Run>& runs);
 

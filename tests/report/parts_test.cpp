@@ -40,15 +40,24 @@ TEST(Tables, NumbersToRead) {
 }
 
 TEST(Tables, AFileThatCannotBeWrittenIsNamed) {
-  EXPECT_THAT([] { write_file("/proc/nowhere/a.csv", "x"); }, ThrowsMessage<std::runtime_error>(HasSubstr("/proc/nowhere/a.csv: cannot be opened for writing")));
+  EXPECT_THAT([] { write_file("/proc/nowhere/a.csv", "x"); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("/proc/nowhere/a.csv: cannot be opened for writing")));
 }
 
 TEST(Page, AsksForEveryValueAndForNoOther) {
   const Scratch scratch;
   write_text(scratch / "page.html", "<p>{{a}} and {{b}}</p>");
   EXPECT_EQ(fill_page(scratch / "page.html", {{"a", "1"}, {"b", "{{2}}"}}), "<p>1 and {{2}}</p>");
-  EXPECT_THAT([&] { (void)fill_page(scratch / "page.html", {{"a", "1"}}); }, ThrowsMessage<std::runtime_error>(HasSubstr("{{b}}")));
-  EXPECT_THAT([&] { (void)fill_page(scratch / "page.html", {{"a", ""}, {"b", ""}, {"c", ""}}); }, ThrowsMessage<std::runtime_error>(HasSubstr("{{c}} is nowhere asked for")));
+  EXPECT_THAT(
+      [&] {
+        (void)fill_page(scratch / "page.html", {{"a", "1"}});
+      },
+      ThrowsMessage<std::runtime_error>(HasSubstr("{{b}}")));
+  EXPECT_THAT(
+      [&] {
+        (void)fill_page(scratch / "page.html", {{"a", ""}, {"b", ""}, {"c", ""}});
+      },
+      ThrowsMessage<std::runtime_error>(HasSubstr("{{c}} is nowhere asked for")));
   EXPECT_THROW((void)fill_page(scratch / "none.html", {}), std::runtime_error);
 }
 
@@ -63,10 +72,15 @@ TEST(Measuring, MarksWhatDivergesAndWhatStalls) {
   const Effort effort{100.0, 2};
   const auto once = [&](double error, int last) {
     bookspin::Run run{"toy", "toy", 1.0};
-    measure(run, 5, 10.0, effort, [&] { return Toy{error, last}; }, [&](const Toy& toy, int) {
-      run.error = std::max(run.error, toy.error);
-      return std::isfinite(toy.error);
-    });
+    measure(
+        run, 5, 10.0, effort,
+        [&] {
+          return Toy{error, last};
+        },
+        [&](const Toy& toy, int) {
+          run.error = std::max(run.error, toy.error);
+          return std::isfinite(toy.error);
+        });
     return run;
   };
   EXPECT_EQ(once(0.5, 9).outcome, Outcome::finished);
@@ -87,10 +101,14 @@ TEST(Measuring, ALadderEndsWhereItMust) {
   };
   const auto fine = [](int) { return Outcome::finished; };
   EXPECT_EQ(rungs(fine, [](int) { return 3.0; }), 8U);  // 1, 2, 4, ... 128 ms: after that it would be too long
-  EXPECT_EQ(rungs([](int rung) { return rung < 2 ? Outcome::finished : Outcome::stalled; }, [](int) { return 1e-3; }), 3U);
-  EXPECT_EQ(rungs([](int rung) { return rung < 2 ? Outcome::finished : Outcome::stalled; }, [](int) { return 1.0; }), 5U);
+  EXPECT_EQ(rungs([](int rung) { return rung < 2 ? Outcome::finished : Outcome::stalled; }, [](int) { return 1e-3; }),
+            3U);
+  EXPECT_EQ(rungs([](int rung) { return rung < 2 ? Outcome::finished : Outcome::stalled; }, [](int) { return 1.0; }),
+            5U);
   std::vector<bookspin::Run> runs;
-  climb({1e9, 1}, 1.0, runs, [](int rung) { return bookspin::Run{"toy", "toy", 1.0, rung < 3 ? std::pow(1e-3, rung + 1) : 1e-9, 0.0, 1.0, Outcome::finished}; });
+  climb({1e9, 1}, 1.0, runs, [](int rung) {
+    return bookspin::Run{"toy", "toy", 1.0, rung < 3 ? std::pow(1e-3, rung + 1) : 1e-9, 0.0, 1.0, Outcome::finished};
+  });
   EXPECT_EQ(runs.size(), 7U);  // four without gain after the third
 }
 
@@ -103,9 +121,9 @@ TEST(Measuring, RungsAreTwoAnOctave) {
 
 TEST(Cheapest, IsTheFastestThatIsNearEnough) {
   const std::vector<bookspin::Run> runs{{"p", "m", 1.0, 1e-1, 0.0, 10.0, Outcome::finished},
-                              {"p", "m", 0.5, 1e-3, 0.0, 30.0, Outcome::finished},
-                              {"p", "m", 0.2, 1e-5, 0.0, 20.0, Outcome::finished},
-                              {"p", "n", 0.2, std::nan(""), 0.0, 5.0, Outcome::diverged}};
+                                        {"p", "m", 0.5, 1e-3, 0.0, 30.0, Outcome::finished},
+                                        {"p", "m", 0.2, 1e-5, 0.0, 20.0, Outcome::finished},
+                                        {"p", "n", 0.2, std::nan(""), 0.0, 5.0, Outcome::diverged}};
   const Table table = cheapest(runs, "p", {1e-2, 1e-6});
   ASSERT_EQ(table.rows.size(), 2U);
   EXPECT_EQ(std::get<double>(table.rows[0][1]), 20.0);
@@ -145,8 +163,9 @@ TEST(SpringModes, VerletsLimitIsTwoOverTheFastest) {
 
 TEST(Plots, WithoutAFolderTheFileIsNamed) {
   Plot plot{"x", "y"};
-  plot.series = {{"rk4", {{1.0, 1.0}, {2.0, 0.5}}}};
-  EXPECT_THAT([&] { draw_plot("/proc/nowhere/a.svg", plot); }, ThrowsMessage<std::runtime_error>(HasSubstr("/proc/nowhere/a.svg")));
+  plot.series = {{"rk4", {{1.0, 1.0}, {2.0, 0.5}}, Mark::line, ""}};
+  EXPECT_THAT([&] { draw_plot("/proc/nowhere/a.svg", plot); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("/proc/nowhere/a.svg")));
 }
 
 }  // namespace

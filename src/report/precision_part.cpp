@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/draft.h"
+#include "report/plots.h"
+#include "report/work_precision.h"
+
+namespace bookspin {
+namespace {
+
+constexpr double fall_back = 20.0;  // where a work-precision plot shows runs without an error
+
+void plot_work_precision(const std::filesystem::path& svg, const std::vector<Run>& runs, const std::string& problem,
+                         double Run::*error, const char* y_label) {
+  Plot plot{"nanoseconds for one unit of simulated time", y_label};
+  plot.y_range = fmt::format("[{}:60]", error != &Run::error ? "1e-2" : problem == "springs" ? "1e-11" : "1e-16");
+  plot.more = {fmt::format("set ytics add ('diverged' {})", fall_back)};
+  std::vector<std::string> methods;
+  for (const Run& run : runs) {
+    if (run.problem == problem && std::find(methods.begin(), methods.end(), run.method) == methods.end())
+      methods.push_back(run.method);
+  }
+  for (const std::string& method : methods) {
+    Series line{method, {}, Mark::line_and_points, ""};
+    Series crosses{method, {}, Mark::cross, "-"};
+    for (const Run& run : runs) {
+      if (run.problem != problem || run.method != method) continue;
+      if (run.outcome == Outcome::finished) {
+        line.points.emplace_back(run.ns_per_time, std::max(run.*error, 1e-16));
+      } else {
+        crosses.points.emplace_back(run.ns_per_time, fall_back);
+      }
+    }
+    plot.series.push_back(std::move(line));
+    plot.series.push_back(std::move(crosses));
+  }
+  draw_plot(svg, plot);
+}
+
+}  // namespace
+
+void write_precision(Draft& draft) {
+  const std::filesystem::path reference = draft.order.project / "tests" / "data" / "reference";
+  const std::vector<double> errors{1e-2, 1e-4, 1e-6, 1e-9};
+  double done = 0.0;
+  for (const RigidCase& c : read_rigid_cases(reference)) {
+    draft.tell("speed against error, case " + c.letter, done);
+    done += 0.12;
+    Effort effort = draft.effort;
+    if (c.letter == "d") effort.longest_run_ms *= 4.0;  // a thousand times as many turns
+    rigid_work_precision(c, effort, draft.runs);
+    draft.keep("cheapest_" + c.letter, cheapest(draft.runs, "case " + c.letter, errors));
+    plot_work_precision(draft.order.folder / ("work_precision_" + c.letter + ".svg"), draft.runs, "case " + c.letter,
+                        &Run::error, "largest error, radians");
+  }
+  draft.tell("speed against error, springs", done);
+  Effort effort = draft.effort;
+  effort.longest_run_ms *= draft.effort.quick ? 20.0 : 6.0;
+  effort.repeats = draft.effort.quick ? 1 : 2;
+  spring_work_precision(reference, effort, draft.runs);
+  draft.keep("cheapest_springs", cheapest(draft.runs, "springs", errors));
+  plot_work_precision(draft.order.folder / "work_precision_springs.svg", draft.runs, "springs", &Run::error,
+                      "largest error, half diagonals, from the springs' own motion");
+  plot_work_precision(draft.order.folder / "work_precision_springs_rigid.svg", draft.runs, "springs", &Run::other_error,
+                      "largest distance, half diagonals, from the rigid motion");
+  draft.tell("the springs' model error", 0.62);
+  draft.model_error = spring_model_error(draft.effort);
+  draft.keep("spring_model_error", draft.model_error);
+  draft.keep("runs", all_runs(draft.runs), false);
+  const auto best = [&](const std::string& problem, const std::string& method) {
+    double error = std::nan("");
+    for (const Run& run : draft.runs) {
+      if (run.problem == problem && run.method == method) error = std::fmin(error, run.error);
+    }
+    return error;
+  };
+  const auto cost = [&](const std::string& problem, const std::string& method, double error) {
+    double ns = std::nan("");
+    for (const Run& run : draft.runs) {
+      if (run.problem == problem && run.method == method && run.error <= error) ns = std::fmin(ns, run.ns_per_time);
+    }
+    return ns;
+  };
+  draft.values["exact_ns"] = readable(cost("case a", "exact", 1.0));
+  draft.values["exact_error"] = readable(best("case a", "exact"));
+  draft.values["exact_error_b"] = readable(best("case b", "exact"));
+  draft.values["exact_error_d"] = readable(best("case d", "exact"));
+  draft.values["dmv10_2_ns"] = readable(cost("case a", "dmv10", 1e-2));
+  draft.values["dmv10_9_ns"] = readable(cost("case a", "dmv10", 1e-9));
+  draft.values["rk4_2_ns"] = readable(cost("case a", "rk4", 1e-2));
+  draft.values["rk4_6_ns"] = readable(cost("case a", "rk4", 1e-6));
+  draft.values["fehlberg_9_ns"] = readable(cost("case a", "odeint fehlberg78", 1e-9));
+  draft.values["euler_best"] =
+      readable(std::fmin(best("case a", "Euler, matrix"), best("case a", "Euler, quaternion")));
+  double stepper_best_b = 4.0;
+  double stepper_best_a = 4.0;
+  for (const Run& run : draft.runs) {
+    if (run.method == "exact" || run.outcome != Outcome::finished) continue;
+    if (run.problem == "case b") stepper_best_b = std::min(stepper_best_b, run.error);
+    if (run.problem == "case a") stepper_best_a = std::min(stepper_best_a, run.error);
+  }
+  draft.values["stepper_best_a"] = readable(stepper_best_a);
+  draft.values["stepper_best_b"] = readable(stepper_best_b);
+  draft.values["composition8_6_ns"] = readable(cost("springs", "composition8", 1e-6));
+  draft.values["rk4_springs_6_ns"] = readable(cost("springs", "rk4", 1e-6));
+  draft.values["fehlberg_springs_6_ns"] = readable(cost("springs", "odeint fehlberg78", 1e-6));
+  draft.values["euler_springs_best"] = readable(best("springs", "explicit Euler"));
+  double from_rigid = std::nan("");
+  for (const Run& run : draft.runs) {
+    if (run.problem == "springs" && run.error < 1e-6) from_rigid = std::fmin(from_rigid, run.other_error);
+  }
+  draft.values["springs_from_rigid"] = readable(from_rigid);
+}
+
+}  // namespace bookspin
