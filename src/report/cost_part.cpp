@@ -35,6 +35,7 @@ void write_cost(Draft& draft) {
       "", {"dynamics of one frame (0.5)", "error reached in case a", "CPU microseconds", "part of the frame"}, {}};
   Plot plot{"largest error in case a, radians", "CPU milliseconds a frame"};
   plot.x_range = "[1e-15:10]";
+  plot.y_range = "[1e-5:100]";
   const double rest = draft.cost.drawing + draft.cost.conversion + draft.cost.encoding;
   plot.more = {
       fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead lc rgb '#000000' lw 1.5 dt 2", rest),

@@ -33,9 +33,8 @@ enum class Outcome { finished, diverged, stalled };
 struct Run {
   std::string problem;
   std::string method;
-  double setting = 0.0;      // the step h, or the tolerance of an adaptive method; 0: none
-  double error = 0.0;        // largest over the samples; NaN unless finished
-  double other_error = 0.0;  // springs: the same against the rigid motion
+  double setting = 0.0;  // the step h, or the tolerance of an adaptive method; 0: none
+  double error = 0.0;    // largest over the samples; NaN unless finished
   double ns_per_time =
       0.0;  // nanoseconds for one unit of simulated time; of what was done before it diverged or stalled, too
   Outcome outcome = Outcome::finished;
@@ -67,7 +66,7 @@ void measure(Run& run, int samples, double T, const Effort& effort, Start&& star
       }
       if (!carried || (looks && !look(runner, i))) {
         run.outcome = carried ? Outcome::diverged : Outcome::stalled;
-        run.error = run.other_error = std::nan("");
+        run.error = std::nan("");
         run.ns_per_time = std::accumulate(least.begin(), least.begin() + i + 1, 0.0) / (T * (i + 1) / samples);
         return;
       }
@@ -90,8 +89,8 @@ void climb(const Effort& effort, double T, std::vector<Run>& runs, RunAt&& run_a
   double last_ms = 0.0;
   for (int rung = 0; rung < 80; ++rung) {
     Run run = run_at(rung);
+    if (run.outcome != Outcome::stalled) last_ms = run.ns_per_time * T * 1e-6;
     if (run.outcome == Outcome::finished) {
-      last_ms = run.ns_per_time * T * 1e-6;
       worse = run.error < 0.9 * best ? 0 : worse + 1;
       best = std::min(best, run.error);
     }

@@ -103,7 +103,7 @@ void draw_plot(const std::filesystem::path& svg, const Plot& plot) {
     if (series.mark == Mark::points)
       style = fmt::format("with points lc rgb '{}' pt {} ps 0.9", look.color, look.point);
     if (series.mark == Mark::rings)
-      style = fmt::format("with points lc rgb '{}' pt 6 ps {} lw 1.6", look.color, 0.25 * static_cast<double>(i + 1));
+      style = fmt::format("with points lc rgb '{}' pt 6 ps {} lw 1.6", look.color, 0.2 * static_cast<double>(i + 1));
     if (series.mark == Mark::cross) style = fmt::format("with points lc rgb '{}' pt 2 ps 0.8 lw 1.5", look.color);
     plots += fmt::format("{}$d{} using 1:2 {} {}", plots.empty() ? "plot " : ", \\\n  ", i, style, title);
   }

@@ -230,17 +230,12 @@ Table cheapest(const std::vector<Run>& runs, const std::string& problem, const s
 }
 
 Table all_runs(const std::vector<Run>& runs) {
-  Table table{
-      "runs",
-      {"problem", "method", "setting", "error", "error against the rigid motion", "ns per unit of time", "outcome"},
-      {}};
+  Table table{"runs", {"problem", "method", "setting", "error", "ns per unit of time", "outcome"}, {}};
   for (const Run& run : runs) {
     const char* outcome = run.outcome == Outcome::finished   ? "finished"
                           : run.outcome == Outcome::diverged ? "diverged"
                                                              : "stalled";
-    const bool springs = run.problem == "springs";
-    table.rows.push_back({run.problem, run.method, run.setting, run.error, springs ? Cell(run.other_error) : Cell(""),
-                          run.ns_per_time, outcome});
+    table.rows.push_back({run.problem, run.method, run.setting, run.error, run.ns_per_time, outcome});
   }
   return table;
 }

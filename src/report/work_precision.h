@@ -38,6 +38,8 @@ void rigid_work_precision(const RigidCase& rigid_case, const Effort& effort, std
 
 void spring_work_precision(const std::filesystem::path& reference, const Effort& effort, std::vector<Run>& runs);
 
+void springs_against_rigid(const Effort& effort, std::vector<Run>& runs);
+
 // Model error and integration error of the springs apart, over stiffness.
 [[nodiscard]] Table spring_model_error(const Effort& effort);
 

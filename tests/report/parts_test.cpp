@@ -95,7 +95,7 @@ TEST(Measuring, ALadderEndsWhereItMust) {
   const auto rungs = [](auto outcome_at, auto error_at) {
     std::vector<bookspin::Run> runs;
     climb({100.0, 1}, 1.0, runs, [&](int rung) {
-      return bookspin::Run{"toy", "toy", 1.0, error_at(rung), 0.0, 1e6 * std::pow(2.0, rung), outcome_at(rung)};
+      return bookspin::Run{"toy", "toy", 1.0, error_at(rung), 1e6 * std::pow(2.0, rung), outcome_at(rung)};
     });
     return runs.size();
   };
@@ -107,7 +107,7 @@ TEST(Measuring, ALadderEndsWhereItMust) {
             5U);
   std::vector<bookspin::Run> runs;
   climb({1e9, 1}, 1.0, runs, [](int rung) {
-    return bookspin::Run{"toy", "toy", 1.0, rung < 3 ? std::pow(1e-3, rung + 1) : 1e-9, 0.0, 1.0, Outcome::finished};
+    return bookspin::Run{"toy", "toy", 1.0, rung < 3 ? std::pow(1e-3, rung + 1) : 1e-9, 1.0, Outcome::finished};
   });
   EXPECT_EQ(runs.size(), 7U);  // four without gain after the third
 }
@@ -120,10 +120,10 @@ TEST(Measuring, RungsAreTwoAnOctave) {
 }
 
 TEST(Cheapest, IsTheFastestThatIsNearEnough) {
-  const std::vector<bookspin::Run> runs{{"p", "m", 1.0, 1e-1, 0.0, 10.0, Outcome::finished},
-                                        {"p", "m", 0.5, 1e-3, 0.0, 30.0, Outcome::finished},
-                                        {"p", "m", 0.2, 1e-5, 0.0, 20.0, Outcome::finished},
-                                        {"p", "n", 0.2, std::nan(""), 0.0, 5.0, Outcome::diverged}};
+  const std::vector<bookspin::Run> runs{{"p", "m", 1.0, 1e-1, 10.0, Outcome::finished},
+                                        {"p", "m", 0.5, 1e-3, 30.0, Outcome::finished},
+                                        {"p", "m", 0.2, 1e-5, 20.0, Outcome::finished},
+                                        {"p", "n", 0.2, std::nan(""), 5.0, Outcome::diverged}};
   const Table table = cheapest(runs, "p", {1e-2, 1e-6});
   ASSERT_EQ(table.rows.size(), 2U);
   EXPECT_EQ(std::get<double>(table.rows[0][1]), 20.0);
