@@ -13,7 +13,7 @@ using Vector24 = Eigen::Matrix<double, 24, 1>;
 Vector24 from_axis(const Vector24& x, const Eigen::Vector3d& omega) {
   const Eigen::Vector3d axis = omega.normalized();
   Vector24 result;
-  for (int i = 0; i < 8; ++i) {
+  for (Eigen::Index i = 0; i < 8; ++i) {
     const Eigen::Vector3d corner = x.segment<3>(3 * i);
     result.segment<3>(3 * i) = corner - axis * axis.dot(corner);
   }
@@ -34,7 +34,7 @@ double predicted_undamped_explosion(const BookOptions& options, double h) {
       if (lambda < 1e-9) continue;
       const double amplitude = std::abs(pull(mode)) * options.omega_W.squaredNorm() / lambda *
                                std::exp(std::log1p(h * h * lambda) / (2.0 * h) * t);
-      for (int i = 0; i < 8; ++i) distance(i) += amplitude * modes.vectors.col(mode).segment<3>(3 * i).norm();
+      for (Eigen::Index i = 0; i < 8; ++i) distance(i) += amplitude * modes.vectors.col(mode).segment<3>(3 * i).norm();
     }
     return distance.maxCoeff();
   };

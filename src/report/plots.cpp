@@ -98,7 +98,7 @@ void draw_plot(const std::filesystem::path& svg, const Plot& plot) {
         series.title == "-" ? "notitle" : "title " + quoted(series.title.empty() ? series.name : series.title);
     const std::string line = fmt::format("lc rgb '{}' lw {} dt {}", look.color, look.width, look.dash);
     const std::string point = fmt::format("pt {} ps 0.55", look.point);
-    std::string style = "with linespoints " + line + " " + point;
+    std::string style = fmt::format("with linespoints {} {}", line, point);
     if (series.mark == Mark::line) style = "with lines " + line;
     if (series.mark == Mark::points)
       style = fmt::format("with points lc rgb '{}' pt {} ps 0.9", look.color, look.point);

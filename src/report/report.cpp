@@ -39,7 +39,7 @@ void finish(Draft& draft) {
 }  // namespace
 
 double number(const Cell& cell) {
-  const double* value = std::get_if<double>(&cell);
+  const auto* value = std::get_if<double>(&cell);
   return value == nullptr ? std::nan("") : *value;
 }
 

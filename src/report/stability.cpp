@@ -77,8 +77,8 @@ bool keeps_shape(const BookOptions& options, double h, int steps) {
 Matrix24 stiffness_matrix(const Eigen::Vector3d& size) {
   const Corners x = corners_at_rest(size);
   Matrix24 K = Matrix24::Zero();
-  for (int i = 0; i < 8; ++i) {
-    for (int j = i + 1; j < 8; ++j) {
+  for (Eigen::Index i = 0; i < 8; ++i) {
+    for (Eigen::Index j = i + 1; j < 8; ++j) {
       const Eigen::Vector3d xhat = (x.col(i) - x.col(j)).normalized();
       const Eigen::Matrix3d along = xhat * xhat.transpose();
       K.block<3, 3>(3 * i, 3 * i) += along;
@@ -138,7 +138,8 @@ double measured_step_limit(const BookOptions& options, double from, double to, i
 }
 
 Table step_limits(const Effort& effort) {
-  Table table{"step_limits", {"stiffness", "method", "predicted step", "measured step", "measured / predicted"}, {}};
+  Table table{
+      "step_limits", {"stiffness", "method", "predicted step", "measured step", "measured / predicted - 1"}, {}};
   const int steps = effort.quick ? 1500 : 12000;
   for (const double stiffness :
        effort.quick ? std::vector<double>{10.0, 1000.0} : std::vector<double>{1.0, 10.0, 100.0, 1000.0, 10000.0}) {
@@ -152,7 +153,7 @@ Table step_limits(const Effort& effort) {
       const BookOptions options = unnormalized_springs(stiffness, damping, integrator);
       const double predicted = predicted_step_limit(options);
       const double measured = measured_step_limit(options, 0.8 * predicted, 1.25 * predicted, steps);
-      table.rows.push_back({stiffness, name, predicted, measured, measured / predicted});
+      table.rows.push_back({stiffness, name, predicted, measured, measured / predicted - 1.0});
     }
     table.rows.push_back({stiffness, "explicit Euler, undamped", 0.0, 0.0, "no step is stable"});
   }

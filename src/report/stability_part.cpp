@@ -37,12 +37,15 @@ void write_stability(Draft& draft) {
     plot.series.push_back(std::move(measured));
   }
   draw_plot(draft.order.folder / "step_limits.svg", plot);
+  double worst = 0.0;
   for (const auto& row : limits.rows) {
+    worst = std::fmax(worst, std::abs(number(row[4])));
     if (std::get<double>(row[0]) == 10.0 && std::get<std::string>(row[1]) == "explicit Euler, damped") {
       draft.values["limit_predicted"] = readable(number(row[2]));
       draft.values["limit_measured"] = readable(number(row[3]));
     }
   }
+  draft.values["limits_worst"] = readable(worst);
   draft.keep("step_limits", std::move(limits));
   draft.tell("growth of the undamped vibration", 0.72);
   draft.keep("undamped_euler_growth", undamped_euler_growth(draft.effort));

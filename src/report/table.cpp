@@ -14,8 +14,7 @@ namespace bookspin {
 namespace {
 
 std::string csv_cell(const Cell& cell) {
-  if (const double* value = std::get_if<double>(&cell))
-    return std::isfinite(*value) ? fmt::format("{:.8g}", *value) : "";
+  if (const auto* value = std::get_if<double>(&cell)) return std::isfinite(*value) ? fmt::format("{:.8g}", *value) : "";
   const std::string& text = std::get<std::string>(cell);
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted(1, '"');
@@ -45,7 +44,7 @@ std::string as_html(const Table& table) {
   for (const auto& row : table.rows) {
     out += "<tr>";
     for (std::size_t i = 0; i < row.size(); ++i) {
-      const double* value = std::get_if<double>(&row[i]);
+      const auto* value = std::get_if<double>(&row[i]);
       const std::string text = value == nullptr ? std::get<std::string>(row[i]) : readable(*value);
       if (i == 0) {
         out += fmt::format("<th scope=\"row\">{}</th>", text);
@@ -66,7 +65,7 @@ std::string as_json(const std::vector<Table>& tables, const std::vector<std::pai
     for (const auto& row : table.rows) {
       nlohmann::ordered_json object;
       for (std::size_t i = 0; i < row.size(); ++i) {
-        const double* value = std::get_if<double>(&row[i]);
+        const auto* value = std::get_if<double>(&row[i]);
         if (value == nullptr) {
           object[table.columns[i]] = std::get<std::string>(row[i]);
         } else {
@@ -93,6 +92,7 @@ std::string readable(double value) {
   if (!std::isfinite(value)) return "–";
   if (value == 0.0) return "0";
   const double size = std::abs(value);
+  if (size < 1e5 && value == std::floor(value)) return fmt::format("{:.0f}", value);
   if (size >= 1e-2 && size < 1e5) {
     const int decimals = std::max(0, 2 - static_cast<int>(std::floor(std::log10(size))));
     return fmt::format("{:.{}f}", value, decimals);

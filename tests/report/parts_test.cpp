@@ -35,6 +35,8 @@ TEST(Tables, NumbersToRead) {
   EXPECT_EQ(readable(123456.0), "1.2·10⁵");
   EXPECT_EQ(readable(-0.012345), "-0.0123");
   EXPECT_EQ(readable(12345.6), "12346");
+  EXPECT_EQ(readable(3.0), "3");
+  EXPECT_EQ(readable(3.001), "3.00");
   EXPECT_EQ(readable(0.0), "0");
   EXPECT_EQ(readable(std::numeric_limits<double>::infinity()), "–");
 }
