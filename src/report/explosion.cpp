@@ -60,7 +60,8 @@ double predicted_damped_explosion(const BookOptions& options, double h) {
   for (int d = 0; d < 24; ++d) P.col(d) = from_axis(Vector24::Unit(d), options.omega_W);
   double t = 0.0;
   double log_L = std::nan("");
-  for (double omega = options.omega_W.norm(); true; omega *= 1.002) {
+  double omega = options.omega_W.norm();
+  while (true) {
     const Vector24 u = (K - omega * omega * P).completeOrthogonalDecomposition().solve(omega * omega * (P * x));
     const Vector24 now = x + u;
     const double next = std::log((P * now).squaredNorm() * omega);
@@ -68,6 +69,7 @@ double predicted_damped_explosion(const BookOptions& options, double h) {
     if (next < log_L || extent(corners, rest) > 2.0) return t;
     if (!std::isnan(log_L)) t += (next - log_L) / (h * omega * omega);
     log_L = next;
+    omega *= 1.002;
   }
 }
 

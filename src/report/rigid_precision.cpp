@@ -145,7 +145,9 @@ void rigid_work_precision(const RigidCase& c, const Effort& effort, std::vector<
   const BookOptions options = c.options();
   // The coarsest step turns the book by no more than about pi.
   const double fewest = std::max(1.0, std::floor(interval * options.omega_W.norm() / std::numbers::pi));
-  const auto steps_at = [&](int rung) { return static_cast<int>(fewest * rung_factor(rung, effort.ladder) + 0.5); };
+  const auto steps_at = [&](int rung) {
+    return static_cast<int>(std::lround(fewest * rung_factor(rung, effort.ladder)));
+  };
 
   runs.push_back(run_once(c, "exact", 0.0, effort, [&] { return Exact(c, interval); }));
 

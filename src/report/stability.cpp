@@ -18,7 +18,7 @@ using Matrix2 = Eigen::Matrix2d;
 Matrix2 one_step(Integrator integrator, double lambda, double gamma, double h) {
   Matrix2 A;
   A << 0.0, 1.0, -lambda, -gamma;
-  const Matrix2 one = Matrix2::Identity();
+  Matrix2 one = Matrix2::Identity();
   Matrix2 M;
   switch (integrator) {
     case Integrator::explicit_euler:
@@ -110,12 +110,10 @@ double predicted_step_limit(const BookOptions& options) {
   double stable = 1e-4 * natural;
   double unstable = 0.0;
   // The first step, from below, that is not stable; then bisection.
-  for (double h = stable; h < 1e3 * natural; h *= 1.01) {
-    if (!linearly_stable(options, modes, h)) {
-      unstable = h;
-      break;
-    }
-    stable = h;
+  while (unstable == 0.0) {
+    const double h = 1.01 * stable;
+    (linearly_stable(options, modes, h) ? stable : unstable) = h;
+    if (stable > 1e3 * natural) break;
   }
   for (int i = 0; i < 60 && unstable > 0.0; ++i) {
     const double middle = 0.5 * (stable + unstable);
