@@ -42,7 +42,7 @@ const BadScript bad_scripts[] = {
      "s.toml:3:1: view.to: unknown key; allowed here: from"},
     {"unknown_key_in_book", "title = \"T\"\n[[book]]\nmetod = \"matrix\"\n",
      "s.toml:3:1: book.0.metod: unknown key; allowed here: angular_velocity, damping, integrator, jiggle, method, "
-     "name, normalize, normalize_every, particle_mass, position, show_axes, size, stiffness, style"},
+     "name, normalize, normalize_every, particle_mass, position, show, size, stiffness, style"},
     {"unknown_key_in_expect", "title = \"T\"\n[[book]]\n[[expect]]\nquantity = \"tilt\"\nat_most = 1\nat_mots = 2\n",
      "s.toml:6:1: expect.0.at_mots: unknown key; allowed here: at_least, at_most, book, falls_to, frame, frames, "
      "quantity, rises_to, says"},
@@ -180,8 +180,12 @@ const BadScript bad_scripts[] = {
      "-1e+06 and 1e+06"},
     {"style_unknown", "title = \"T\"\n[[book]]\nstyle = \"wire\"\n",
      "s.toml:3:9: book.0.style: found 'wire'; allowed: one of \"solid\", \"ghost\""},
-    {"axes_a_text", "title = \"T\"\n[[book]]\nshow_axes = \"yes\"\n",
-     "s.toml:3:13: book.0.show_axes: found 'yes'; allowed: true or false"},
+    {"show_a_text", "title = \"T\"\n[[book]]\nshow = \"axes\"\n",
+     "s.toml:3:8: book.0.show: found 'axes'; allowed: a list of \"axes\", \"angular_velocity\", "
+     "\"angular_momentum\", \"trace\", \"springs\""},
+    {"show_what_is_not_there", "title = \"T\"\n[[book]]\nshow = [\"axes\", \"shadow\"]\n",
+     "s.toml:3:17: book.0.show: found 'shadow'; allowed: a list of \"axes\", \"angular_velocity\", "
+     "\"angular_momentum\", \"trace\", \"springs\""},
     {"second_book", "title = \"T\"\n[[book]]\n[[book]]\n  size = 1\n",
      "s.toml:4:10: book.1.size: found 1; allowed: a list of three numbers [x, y, z], each a number from 1e-06 to "
      "1e+06"},
@@ -272,7 +276,7 @@ const BadOverride bad_overrides[] = {
     {"book.0=3", "--set book.0=3: book.0: found 3; allowed: a table [[book]]"},
     {"book.0.=3",
      "--set book.0.=3: book.0.: unknown key; allowed here: angular_velocity, damping, integrator, jiggle, method, "
-     "name, normalize, normalize_every, particle_mass, position, show_axes, size, stiffness, style"},
+     "name, normalize, normalize_every, particle_mass, position, show, size, stiffness, style"},
     {"=3", "--set =3: allowed: KEY=VALUE, such as book.0.method=matrix"},
     {"clip", "--set clip: allowed: KEY=VALUE, such as book.0.method=matrix"},
     {"clip.substeps", "--set clip.substeps: allowed: KEY=VALUE, such as book.0.method=matrix"},
