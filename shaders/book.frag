@@ -1,11 +1,13 @@
 #version 330 core
-// Texture and frame buffer are sRGB, so all of this is linear light.
+// Light is reckoned linearly, colours are kept encoded: sRGB is close to the power law x^(1/2.2), which makes a product of linear values
+// the product of the encoded ones. So encoded light by vertex times encoded texture is linear-light shading, without the conversions
+// that would cost as much as all the rest.
 
 uniform sampler2D picture;
 
 in vec2 place;
-in vec3 light;
-in vec3 gloss;
+in vec3 light;  // encoded
+in vec3 gloss;  // added to the encoded colour
 out vec4 color;
 
 void main() { color = vec4(texture(picture, place).rgb * light + gloss, 1.0); }

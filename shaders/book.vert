@@ -12,15 +12,15 @@ layout(location = 2) in vec2 texture_place;
 layout(location = 3) in float shade;
 
 out vec2 place;
-out vec3 light;   // times the surface's own colour
-out vec3 gloss;   // added to it
+out vec3 light;   // encoded: times the encoded texture
+out vec3 gloss;   // added to that
 
-const vec3 key_direction_C = normalize(vec3(-0.45, 0.62, 0.64));
-const vec3 fill_direction_C = normalize(vec3(0.85, -0.10, 0.45));
-const vec3 key_color = vec3(0.86, 0.83, 0.78);
-const vec3 fill_color = vec3(0.17, 0.20, 0.25);
-const vec3 sky_color = vec3(0.24, 0.26, 0.29);
-const vec3 ground_color = vec3(0.11, 0.10, 0.095);
+const vec3 key_direction_C = normalize(vec3(-0.40, 0.60, 0.70));
+const vec3 fill_direction_C = normalize(vec3(0.80, -0.35, 0.50));
+const vec3 key_color = vec3(0.74, 0.71, 0.66);
+const vec3 fill_color = vec3(0.20, 0.23, 0.28);
+const vec3 sky_color = vec3(0.36, 0.38, 0.41);
+const vec3 ground_color = vec3(0.17, 0.16, 0.15);
 
 void main() {
   vec3 e00 = mix(corners_C[0], corners_C[1], unit.x);
@@ -45,11 +45,10 @@ void main() {
   float key = max(dot(normal_C, key_direction_C), 0.0);
   float fill = max(dot(normal_C, fill_direction_C), 0.0);
   vec3 around = mix(ground_color, sky_color, 0.5 + 0.5 * normal_C.y);
-  light = shade * (key * key_color + fill * fill_color + around);
+  light = pow(shade * (key * key_color + fill * fill_color + around), vec3(1.0 / 2.2));
 
   vec3 half_way_C = normalize(key_direction_C + normalize(-point_C));
-  float highlight = pow(max(dot(normal_C, half_way_C), 0.0), 24.0);
-  gloss = 0.045 * shade * highlight * key_color;
+  gloss = 0.06 * shade * pow(max(dot(normal_C, half_way_C), 0.0), 24.0) * vec3(1.0, 0.98, 0.94);
 
   place = texture_place;
   gl_Position = clip_from_camera * vec4(point_C, 1.0);

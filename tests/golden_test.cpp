@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <set>
+#include <map>
 #include <vector>
 
 #include "image/compare.h"
@@ -15,8 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path golden_folder(const std::string& room) { return fs::path(BOOKSPIN_SOURCE_DIR) / "tests" / "golden" / room; }
-fs::path failure_folder(const std::string& room) { return fs::path(BOOKSPIN_BINARY_DIR) / "golden" / room; }
+fs::path golden_folder(const std::string& room) {
+  return fs::path(BOOKSPIN_SOURCE_DIR) / "tests" / "golden" / room;
+}
+fs::path failure_folder(const std::string& room) {
+  return fs::path(BOOKSPIN_BINARY_DIR) / "golden" / room;
+}
 
 bool accepting() {
   const char* value = std::getenv("BOOKSPIN_ACCEPT_GOLDENS");
@@ -27,14 +31,21 @@ std::string how_to_accept() {
   return std::string("  To accept the new picture, after looking at it:  make -C ") + BOOKSPIN_SOURCE_DIR + " golden";
 }
 
-// The goldens that this program's tests asked for, filled by expect_golden and read when the program ends.
-std::set<std::string>& owned_names() {
-  static std::set<std::string> names;
-  return names;
+// The goldens that this program's tests asked for, each with its test: filled by expect_golden, read when the program
+// ends.
+std::map<std::string, std::string>& owners() {
+  static std::map<std::string, std::string> owners_by_name;
+  return owners_by_name;
+}
+
+std::string current_test() {
+  const testing::TestInfo* const info = testing::UnitTest::GetInstance()->current_test_info();
+  return info == nullptr ? "" : std::string(info->test_suite_name()) + "." + info->name();
 }
 
 bool matches(const ImageDelta& delta, const GoldenTolerance& tolerance) {
-  return delta.same_size && delta.max_delta <= tolerance.max_delta && delta.share_above <= tolerance.share;
+  return delta.same_size && delta.max_delta <= tolerance.max_delta && delta.mean_delta <= tolerance.mean_delta &&
+         delta.share_above <= tolerance.share;
 }
 
 class GoldenFolderCheck : public testing::Environment {
@@ -46,7 +57,7 @@ class GoldenFolderCheck : public testing::Environment {
     if (!whole_program || !fs::exists(golden_folder(room_))) return;
     std::vector<fs::path> goldens;
     for (const auto& entry : fs::directory_iterator(golden_folder(room_))) {
-      if (owned_names().contains(entry.path().stem().string())) {
+      if (owners().contains(entry.path().stem().string())) {
         goldens.push_back(entry.path());
       } else if (accepting()) {
         fs::remove(entry.path());
@@ -66,7 +77,8 @@ class GoldenFolderCheck : public testing::Environment {
     for (std::size_t i = 0; i < images.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         EXPECT_FALSE(matches(compare(images[i], images[j], tolerance.threshold), tolerance))
-            << goldens[i].string() << " and " << goldens[j].string() << " show the same picture: one of them tests nothing";
+            << goldens[i].string() << " and " << goldens[j].string()
+            << " show the same picture: one of them tests nothing";
       }
     }
   }
@@ -77,7 +89,8 @@ class GoldenFolderCheck : public testing::Environment {
 }  // namespace
 
 void expect_golden(const Image& actual, const std::string& room, const std::string& name, GoldenTolerance tolerance) {
-  EXPECT_TRUE(owned_names().insert(name).second) << "two tests own the golden " << name;
+  EXPECT_EQ(owners().emplace(name, current_test()).first->second, current_test())
+      << "two tests own the golden " << name;
   const fs::path golden = golden_folder(room) / (name + ".png");
   if (accepting()) {
     if (!fs::exists(golden) || !matches(compare(read_png(golden), actual, tolerance.threshold), tolerance)) {
@@ -95,7 +108,8 @@ void expect_golden(const Image& actual, const std::string& room, const std::stri
   };
   if (!fs::exists(golden)) {
     keep_actual();
-    ADD_FAILURE() << golden.string() << ": golden missing\n  actual: " << actual_path.string() << '\n' << how_to_accept();
+    ADD_FAILURE() << golden.string() << ": golden missing\n  actual: " << actual_path.string() << '\n'
+                  << how_to_accept();
     return;
   }
   const Image expected = read_png(golden);
@@ -114,8 +128,9 @@ void expect_golden(const Image& actual, const std::string& room, const std::stri
   }
   write_png(delta_path, delta_picture(expected, actual));
   ADD_FAILURE() << golden.string() << ": picture differs: max delta " << delta.max_delta << " (allowed "
-                << tolerance.max_delta << "), share of pixels beyond " << tolerance.threshold << " levels "
-                << delta.share_above << " (allowed " << tolerance.share << ")\n  actual: " << actual_path.string()
+                << tolerance.max_delta << "), mean " << delta.mean_delta << " (allowed " << tolerance.mean_delta
+                << "), share of pixels beyond " << tolerance.threshold << " levels " << delta.share_above
+                << " (allowed " << tolerance.share << ")\n  actual: " << actual_path.string()
                 << "\n  delta:  " << delta_path.string() << '\n'
                 << how_to_accept();
 }

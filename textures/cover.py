@@ -11,9 +11,10 @@ import random
 import subprocess
 
 HERE = pathlib.Path(__file__).parent
-YELLOW, NAVY, CREAM, RED, PAPER = "#eeb32b", "#12294a", "#f7f0dd", "#c8401c", "#e9dfc6"
+YELLOW, INK, BLUE, CREAM, RED, PAPER = "#eeb32b", "#12294a", "#245a9c", "#f7f0dd", "#c8401c", "#e9dfc6"
 SIZE = (1.878, 2.9085, 0.5)
 I = [SIZE[1]**2 + SIZE[2]**2, SIZE[0]**2 + SIZE[2]**2, SIZE[0]**2 + SIZE[1]**2]  # x: middle, y: smallest, z: largest
+SPACE = "\u2005"
 COVER_W, COVER_H, SPINE_W = 1773, 2908.5, 600
 FONT = 'font-family="Inter Display, Inter"'
 
@@ -61,7 +62,7 @@ def view_rows(yaw, pitch, roll):
 
 
 def emblem(cx, cy, scale, line, paper, ink, accent):
-    rows = view_rows(math.radians(38), math.radians(16), math.radians(14))
+    rows = view_rows(math.radians(40), math.radians(24), math.radians(16))
     dot = lambda a, b: sum(p * q for p, q in zip(a, b))
     place = lambda w: (cx + scale * dot(rows[0], w), cy - scale * dot(rows[1], w))
     faces = lambda w: dot(rows[2], [I[i] * w[i] for i in range(3)]) > 0
@@ -78,7 +79,7 @@ def emblem(cx, cy, scale, line, paper, ink, accent):
             paths.append(run)
         return "".join(
             f'<path d="M{" L".join(f"{x:.1f} {y:.1f}" for x, y in p)}" fill="none" stroke="{stroke}" '
-            f'stroke-width="{width}" stroke-linecap="round" stroke-linejoin="round"/>\n' for p in paths if len(p) > 1)
+            f'stroke-width="{width}" stroke-linejoin="round"/>\n' for p in paths if len(p) > 1)
 
     # The outline: the ellipsoid's shadow is the ellipse of the inverse inertia seen in the picture plane.
     a = sum(rows[0][i]**2 / I[i] for i in range(3))
@@ -87,8 +88,9 @@ def emblem(cx, cy, scale, line, paper, ink, accent):
     mean, spread = (a + d) / 2, math.hypot((a - d) / 2, b)
     angle = -math.degrees(math.atan2(2 * b, a - d) / 2)
     r1, r2 = scale * math.sqrt(mean + spread), scale * math.sqrt(mean - spread)
-    out = [f'<ellipse rx="{r1:.1f}" ry="{r2:.1f}" transform="translate({cx} {cy}) rotate({angle:.2f})" '
-           f'fill="{paper}" stroke="{ink}" stroke-width="{1.5 * line}"/>\n']
+    ellipse = f'<ellipse rx="{r1:.1f}" ry="{r2:.1f}" transform="translate({cx} {cy}) rotate({angle:.2f})"'
+    out = [f'{ellipse} fill="{paper}"/>\n']
+    out.append(f'<clipPath id="body">{ellipse}/></clipPath>\n<g clip-path="url(#body)">\n')
     for axis, inner, count in ((2, I[2], 5), (1, I[1], 6)):
         for k in range(1, count):
             # Evenly spaced in the angle from the circled axis, not in L^2.
@@ -97,6 +99,8 @@ def emblem(cx, cy, scale, line, paper, ink, accent):
                 out.append(visible_paths(polhode(L2, sign), ink, line))
     for sign in (1, -1):
         out.append(visible_paths(separatrix(sign), accent, 2.3 * line))
+    out.append("</g>\n")
+    out.append(f'{ellipse} fill="none" stroke="{ink}" stroke-width="{1.7 * line}"/>\n')
     for axis in range(3):  # where the axes come out
         w = [0.0, 0.0, 0.0]
         w[axis] = 1 / math.sqrt(I[axis])
@@ -109,34 +113,35 @@ def emblem(cx, cy, scale, line, paper, ink, accent):
 
 def front():
     body = [f'<rect x="0" y="0" width="{COVER_W}" height="{COVER_H}" fill="{YELLOW}"/>',
-            f'<rect x="0" y="2010" width="{COVER_W}" height="{COVER_H - 2010}" fill="{NAVY}"/>',
+            f'<rect x="0" y="2010" width="{COVER_W}" height="{COVER_H - 2010}" fill="{BLUE}"/>',
             f'<rect x="0" y="1985" width="{COVER_W}" height="30" fill="{RED}"/>',
-            emblem(905, 1010, 1720, 15, CREAM, NAVY, RED),
+            emblem(905, 1000, 1740, 15, CREAM, INK, RED),
             f'<text x="160" y="2340" {FONT} font-weight="700" font-size="292" letter-spacing="-4" fill="{CREAM}">Classical</text>',
             f'<text x="160" y="2640" {FONT} font-weight="700" font-size="292" letter-spacing="-4" fill="{CREAM}">Mechanics</text>']
     svg("front", COVER_W, COVER_H, (1024, 1536), "\n".join(body), YELLOW)
 
 
 def back():
-    sub = lambda n: f'<tspan dy="42" font-size="120">{n}</tspan><tspan dy="-42" font-size="10"> </tspan>'
-    line = lambda a, b, c: (f'I{sub(a)} ω̇{sub(a)} = (I{sub(b)} − I{sub(c)}) ω{sub(b)} ω{sub(c)}')
+    sub = lambda n, gap: (f'<tspan dy="44" font-size="118">{n}</tspan><tspan dy="-44" dx="{gap}" '
+                          f'font-size="176">\u200b</tspan>')
+    line = lambda a, b, c: (f'I\u200a{sub(a, 10)}ω̇{sub(a, 46)}={SPACE}(I\u200a{sub(b, 44)}−{SPACE}I\u200a{sub(c, 8)}){SPACE}ω{sub(b, 34)}ω{sub(c, 0)}')
     rows = [line("x", "y", "z"), line("y", "z", "x"), line("z", "x", "y")]
-    body = [f'<rect x="0" y="0" width="{COVER_W}" height="{COVER_H}" fill="{NAVY}"/>']
+    body = [f'<rect x="0" y="0" width="{COVER_W}" height="{COVER_H}" fill="{BLUE}"/>']
     for i, row in enumerate(rows):
         body.append(f'<text x="{COVER_W / 2}" y="{560 + 330 * i}" text-anchor="middle" {FONT} font-weight="600" '
-                    f'font-style="normal" font-size="190" fill="{CREAM if i else YELLOW}">{row}</text>')
+                    f'font-size="176" fill="{CREAM if i else YELLOW}">{row}</text>')
     body.append(f'<rect x="160" y="1500" width="{COVER_W - 320}" height="16" fill="{YELLOW}"/>')
     for i, text in enumerate(("Throw this book.", "It will tumble", "about one axis", "of the three.")):
         body.append(f'<text x="160" y="{1790 + 225 * i}" {FONT} font-weight="600" font-size="190" fill="{CREAM}">{text}</text>')
-    svg("back", COVER_W, COVER_H, (1024, 1536), "\n".join(body), NAVY)
+    svg("back", COVER_W, COVER_H, (1024, 1536), "\n".join(body), BLUE)
 
 
 def spine():
-    body = [f'<rect x="0" y="330" width="{SPINE_W}" height="24" fill="{YELLOW}"/>',
-            f'<rect x="0" y="{COVER_H - 354}" width="{SPINE_W}" height="24" fill="{YELLOW}"/>',
+    body = [f'<rect x="0" y="290" width="{SPINE_W}" height="24" fill="{YELLOW}"/>',
+            f'<rect x="0" y="{COVER_H - 314}" width="{SPINE_W}" height="24" fill="{YELLOW}"/>',
             f'<text transform="translate(232 {COVER_H / 2}) rotate(90)" text-anchor="middle" {FONT} font-weight="700" '
-            f'font-size="208" fill="{YELLOW}">Classical Mechanics</text>']
-    svg("spine", SPINE_W, COVER_H, (256, 1536), "\n".join(body), NAVY)
+            f'font-size="196" fill="{YELLOW}">Classical Mechanics</text>']
+    svg("spine", SPINE_W, COVER_H, (256, 1536), "\n".join(body), BLUE)
 
 
 def pages():

@@ -153,6 +153,9 @@ TorqueFree::TorqueFree(const Eigen::Vector3d& I_B, const Eigen::Quaterniond& q_W
   motion.s = I[a] < I[c] ? 1.0 : -1.0;
   theta_ = theta_form(motion);
   turn_rate_ = theta_.mu / (dd_pi * 2.0);
+  if (!std::isfinite(turn_rate_.hi) || !std::isfinite(theta_.frequency.hi)) {
+    throw std::invalid_argument("torque-free motion: |L| / I overflows");
+  }
   amplitude_ = Eigen::Vector3d((A_b / L).hi * motion.s, (A_c / L).hi, (A_a / L).hi);
 
   // The frame 1, 2, 3: right-handed, L_3 > 0, L_2(0) >= 0.
@@ -197,8 +200,8 @@ TorqueFreeState TorqueFree::at(double t) const {
   const Dd advance = two_product(theta_.frequency.hi, time);
   const Dd phase = two_sum(advance.hi, phase0_.hi);
   const double shifted = phase.hi * theta_.reduce + to_integer;
-  const double rest = (phase.hi - (shifted - to_integer)) +
-                      (phase.lo + (advance.lo + theta_.frequency.lo * time + phase0_.lo));
+  const double rest =
+      (phase.hi - (shifted - to_integer)) + (phase.lo + (advance.lo + theta_.frequency.lo * time + phase0_.lo));
   const double x = rest * theta_.period;
   const double parity = std::bit_cast<std::uint64_t>(shifted) % 2 == 0 ? 1 : -1;
 
@@ -210,7 +213,7 @@ TorqueFreeState TorqueFree::at(double t) const {
   state.L_B[axis_[1]] = L_axis_[1] * l2;
   state.L_B[axis_[2]] = L_axis_[2] * l3;
 
-  // (alpha, beta) = exp(k angle) alpha (1 + l3, l2 - k l1), of length 1.
+  // (alpha, beta) = exp(i angle) alpha (1 + l3, l2 - i l1), of length 1.
   angle -= theta_.kappa * x;
   const double square = theta.alpha_re * theta.alpha_re + theta.alpha_im * theta.alpha_im;
   const double length = 1 / std::sqrt(square * ((1 + l3) * (1 + l3) + l1 * l1 + l2 * l2));

@@ -1,9 +1,9 @@
 // Double-double arithmetic: an unevaluated sum hi + lo with |lo| <= ulp(hi) / 2, about 31 decimal digits.
 //
 // Only what the setup of TorqueFree needs, so that a phase keeps 16 digits after 1e15 turns.
-// Exact sum: Knuth; exact product: Dekker's splitting (no fused multiply-add, so that every machine gets the same bits).
-// Preconditions: finite values, magnitudes below 1e290; below 1e-290 the low part fades to zero.
-// Source: Dekker, Numer. Math. 18 (1971) 224; Hida, Li & Bailey, ARITH-15 (2001) 155, algorithms 3 to 14.
+// Exact sum: Knuth; exact product: Dekker's splitting (no fused multiply-add, so that every machine gets the same
+// bits). Preconditions: finite values, magnitudes below 1e290; below 1e-290 the low part fades to zero. Source: Dekker,
+// Numer. Math. 18 (1971) 224; Hida, Li & Bailey, ARITH-15 (2001) 155, algorithms 3 to 14.
 #pragma once
 
 #include <array>
@@ -47,7 +47,9 @@ constexpr Dd two_product(double a, double b) {
   return {product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low};
 }
 
-constexpr Dd operator-(Dd a) { return {-a.hi, -a.lo}; }
+constexpr Dd operator-(Dd a) {
+  return {-a.hi, -a.lo};
+}
 
 constexpr Dd operator+(Dd a, Dd b) {
   const Dd high = two_sum(a.hi, b.hi);
@@ -56,7 +58,9 @@ constexpr Dd operator+(Dd a, Dd b) {
   return quick_two_sum(carried.hi, carried.lo + low.lo);
 }
 
-constexpr Dd operator-(Dd a, Dd b) { return a + (-b); }
+constexpr Dd operator-(Dd a, Dd b) {
+  return a + (-b);
+}
 
 constexpr Dd operator*(Dd a, Dd b) {
   const Dd product = two_product(a.hi, b.hi);
@@ -71,9 +75,13 @@ constexpr Dd operator/(Dd a, Dd b) {
   return quick_two_sum(first, second) + rest.hi / b.hi;
 }
 
-constexpr bool operator<(Dd a, Dd b) { return a.hi < b.hi || (a.hi == b.hi && a.lo < b.lo); }
+constexpr bool operator<(Dd a, Dd b) {
+  return a.hi < b.hi || (a.hi == b.hi && a.lo < b.lo);
+}
 
-inline Dd abs(Dd a) { return a.hi < 0 ? -a : a; }
+inline Dd abs(Dd a) {
+  return a.hi < 0 ? -a : a;
+}
 
 // a >= 0. One step of Newton's iteration from the rounded root.
 inline Dd sqrt(Dd a) {
@@ -101,16 +109,18 @@ inline Dd agm(Dd b) {
   return (a + b) * 0.5;  // quadratic convergence: the last mean is exact to 1e-31
 }
 
-// Arc tangent of 0 <= v <= 1: three halvings of the angle, then Taylor.
+// Arc tangent of 0 <= v <= 1: three halvings of the angle, then Taylor, in double where its terms are below 1e-16.
 inline Dd atan(Dd v) {
   static constexpr auto reciprocals = [] {
-    std::array<Dd, 16> table;
+    std::array<Dd, 8> table;
     for (std::size_t i = 0; i < table.size(); ++i) table[i] = Dd(1.0) / (2.0 * static_cast<double>(i) + 1);
     return table;
   }();
   for (int halving = 0; halving < 3; ++halving) v = v / (sqrt(v * v + 1.0) + 1.0);
   const Dd square = v * v;
-  Dd sum = 0.0;
+  double tail = 0;
+  for (int odd = 31; odd > 15; odd -= 2) tail = 1.0 / odd - square.hi * tail;
+  Dd sum = tail;
   for (std::size_t i = reciprocals.size(); i-- > 0;) sum = reciprocals[i] - square * sum;
   return v * sum * 8.0;
 }

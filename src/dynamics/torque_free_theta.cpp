@@ -3,7 +3,8 @@
 namespace bookspin {
 namespace {
 
-// q = epsilon + 2 epsilon^5 + 15 epsilon^9 + ..., DLMF 19.5.6; here epsilon < 0.0433, and double is enough from the fourth term.
+// q = epsilon + 2 epsilon^5 + 15 epsilon^9 + ..., DLMF 19.5.6; here epsilon < 0.0433, and double is enough from the
+// fourth term.
 Dd nome_over_epsilon(Dd epsilon) {
   const Dd square = epsilon * epsilon;
   const Dd fourth = square * square;
@@ -21,8 +22,8 @@ struct ThetaSums {
   Real slope;            // d(arg alpha)/dx at x = 0, times partner
 };
 
-// At z = k eta, nome Q = p^2, in terms of c = 2 sqrt(p) sinh eta: theta1 / k and theta4 are polynomials in e = 2 p cosh 2 eta:
-// U_n = p^n sinh((2n+1) eta) / sinh eta, V_n = 2 p^n cosh 2n eta, W_n = p^n sinh 2n eta / sinh 2 eta.
+// At z = i eta, nome Q = p^2, in terms of c = 2 sqrt(p) sinh eta: theta1 / i and theta4 are polynomials in e = 2 p cosh
+// 2 eta: U_n = p^n sinh((2n+1) eta) / sinh eta, V_n = 2 p^n cosh 2n eta, W_n = p^n sinh 2n eta / sinh 2 eta.
 template <class Real>
 ThetaSums<Real> trigonometric_sums(Real c, Real p) {
   const Real c2 = c * c;
@@ -35,9 +36,9 @@ ThetaSums<Real> trigonometric_sums(Real c, Real p) {
   Real V_before = 2.0;
   Real W = 1.0;
   Real W_before = 0.0;
-  Real weight4 = -p;         // (-1)^n p^(2n^2-n)
-  Real power = p2;           // p^(2n): weight1 / weight4
-  Real step = p4 * p;        // p^(4n+1)
+  Real weight4 = -p;   // (-1)^n p^(2n^2-n)
+  Real power = p2;     // p^(2n): weight1 / weight4
+  Real step = p4 * p;  // p^(4n+1)
   ThetaSums<Real> sums{1.0, 1.0, 0.0};
   const auto recur = [&](Real& now, Real& before) {
     const Real next = e * now - p2 * before;
@@ -97,8 +98,8 @@ ThetaSums<Real> hyperbolic_sums(Real v, Real nome) {
   return sums;
 }
 
-// Newton's iteration for theta1 / partner = target, in double and once more in double-double. slope: the derivative at the root,
-// in closed form, so that the step from 16 digits gives 31.
+// Newton's iteration for theta1 / partner = target, in double and once more in double-double. slope: the derivative at
+// the root, in closed form, so that the step from 16 digits gives 31.
 template <class Sums, class Slope>
 Dd solve(Dd target, const Sums& sums, const Slope& slope) {
   double root = target.hi;
@@ -118,10 +119,13 @@ double theta3_squared(double Q) {
   return theta3 * theta3;
 }
 
-double rounded(long double x) { return static_cast<double>(x); }
+double rounded(long double x) {
+  return static_cast<double>(x);
+}
 
-// theta1..4(x, p) and alpha = theta4(x + s k eta, p^2) as polynomials in C = cos 2x.
-void trigonometric_coefficients(long double p, long double c, long double root_k_prime, long double s, ThetaForm& form) {
+// theta1..4(x, p) and alpha = theta4(x + i s eta, p^2) as polynomials in C = cos 2x.
+void trigonometric_coefficients(long double p, long double c, long double root_k_prime, long double s,
+                                ThetaForm& form) {
   const auto power = [p](int n) {
     long double product = 1;
     for (int i = 0; i < n; ++i) product *= p;
@@ -156,8 +160,8 @@ void trigonometric_coefficients(long double p, long double c, long double root_k
   form.alpha_im = {rounded(2 * (im1 - im3)), rounded(4 * im2), rounded(8 * im3), 0};
 }
 
-// theta1..4(2 k X, Q'^2) as polynomials in J = 2 q' cosh 4X, q' = Q'^2, and alpha = theta2(-s eta + k X, Q') as polynomials in
-// H = 2 Q' cosh 2X.
+// theta1..4(2 i X, Q'^2) as polynomials in J = 2 q' cosh 4X, q' = Q'^2, and alpha = theta2(-s eta' + i X, Q') as
+// polynomials in H = 2 Q' cosh 2X.
 void hyperbolic_coefficients(long double Q, long double tangent, long double s, ThetaForm& form) {
   const long double q = Q * Q;
   const long double q2 = q * q, q4 = q2 * q2, q5 = q4 * q, q6 = q5 * q;
@@ -194,7 +198,8 @@ void hyperbolic_coefficients(long double Q, long double tangent, long double s, 
 
 ThetaForm trigonometric_form(const EllipticMotion& motion) {
   ThetaForm form;
-  // Landen: Q is the nome of k1 = (1 - k') / (1 + k'), k1' = 2 sqrt k' / (1 + k'); k1 and 1 - sqrt k1' from k, not from 1 - k'.
+  // Landen: Q is the nome of k1 = (1 - k') / (1 + k'), k1' = 2 sqrt k' / (1 + k'); k1 and 1 - sqrt k1' from k, not from
+  // 1 - k'.
   const Dd root_k_prime = sqrt(motion.k_prime);
   const Dd k_over = motion.k / (motion.k_prime + 1.0);
   const Dd k1 = k_over * k_over;
@@ -206,7 +211,7 @@ ThetaForm trigonometric_form(const EllipticMotion& motion) {
   const Dd rate = motion.lambda * agm(motion.k_prime);
   form.frequency = rate / dd_pi;
   form.period = dd_pi.hi;
-  // d(theta1 / k theta4)/d eta = theta3(Q)^2 sqrt((k1 + T^2)(1 + k1 T^2)), d eta / dc = 1 / sqrt(c^2 + 4 p).
+  // d(theta1 / i theta4)/d eta = theta3(Q)^2 sqrt((k1 + T^2)(1 + k1 T^2)), d eta / dc = 1 / sqrt(c^2 + 4 p).
   const double T2 = motion.tangent.hi * motion.tangent.hi;
   const double by_eta = theta3_squared(p.hi * p.hi) * std::sqrt((k1.hi + T2) * (1 + k1.hi * T2));
   const Dd c = solve(

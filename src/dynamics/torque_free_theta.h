@@ -1,7 +1,7 @@
 // The theta functions of the torque-free motion (torque_free.h has the formulas), prepared as short polynomials.
 //
 // theta_form: once a motion, in double-double and long double. theta_values: x (or X) -> sn, cn, dn and alpha.
-// alpha is theta4(x + s k eta, Q), or theta2(-s eta' + k X, Q') / exp |X|: only its argument has a meaning.
+// alpha is theta4(x + i s eta, Q), or theta2(-s eta' + i X, Q') / exp |X|: only its argument has a meaning.
 // x is taken within half a period of 0, where the elliptic functions run over -K <= u <= K.
 #pragma once
 
@@ -23,22 +23,22 @@ struct EllipticMotion {
 };
 
 struct ThetaForm {
-  bool hyperbolic = false;         // K > 2 K'
-  Dd frequency;                    // periods of x = pi u / (2 K), or of X = pi u / (4 K'), per time
-  double period = 1;               // of x: pi, of X: Lambda = -ln Q'; 1 on the separatrix, where nothing is periodic
-  double reduce = 1;               // 0 on the separatrix: never drop periods
-  Dd mu;                           // secular rate of arg alpha
-  double kappa = 0;                // 2 s eta' / Lambda; 0 in the trigonometric form
-  double nome = 0;                 // Q', hyperbolic
-  double limit = 350;              // of |X|: Lambda / 2, but at most 350, where L is along the middle axis to 1e-300
+  bool hyperbolic = false;           // K > 2 K'
+  Dd frequency;                      // periods of x = pi u / (2 K), or of X = pi u / (4 K'), per time
+  double period = 1;                 // of x: pi, of X: Lambda = -ln Q'; 1 on the separatrix, where nothing is periodic
+  double reduce = 1;                 // 0 on the separatrix: never drop periods
+  Dd mu;                             // secular rate of arg alpha
+  double kappa = 0;                  // 2 s eta' / Lambda; 0 in the trigonometric form
+  double nome = 0;                   // Q', hyperbolic
+  double limit = 350;                // of |X|: Lambda / 2, but at most 350, where L is along the middle axis to 1e-300
   std::array<double, 4> alpha_re{};  // in cos 2x, or in 2 Q' cosh 2X
   std::array<double, 4> alpha_im{};  //
-  std::array<double, 5> theta1{};  // over sin x or sinh 2X, scaled to give sn
-  std::array<double, 5> theta2{};  // over cos x (scaled to give cn) or cosh 2X
-  std::array<double, 3> even{};    // theta3 = even + odd, theta4 = even - odd
-  std::array<double, 2> odd{};     // over cos 2x; unused in the hyperbolic form
-  double cn_scale = 1;             // hyperbolic
-  double dn_scale = 1;             //
+  std::array<double, 5> theta1{};    // over sin x or sinh 2X, scaled to give sn
+  std::array<double, 5> theta2{};    // over cos x (scaled to give cn) or cosh 2X
+  std::array<double, 3> even{};      // theta3 = even + odd, theta4 = even - odd
+  std::array<double, 2> odd{};       // over cos 2x; unused in the hyperbolic form
+  double cn_scale = 1;               // hyperbolic form
+  double dn_scale = 1;               // both
 };
 
 template <class Real>

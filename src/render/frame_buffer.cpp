@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "render/linear_color.h"
+#include "render/gl_color.h"
 
 namespace bookspin {
 namespace {
@@ -30,10 +30,10 @@ void check_complete(const GladGLContext& gl, const char* what) {
 FrameBuffer::FrameBuffer(const GladGLContext& gl, int width, int height)
     : gl_(&gl),
       samples_(make_framebuffer(gl)),
-      sample_color_(storage(gl, samples, GL_SRGB8_ALPHA8, width, height)),
+      sample_color_(storage(gl, samples, GL_RGBA8, width, height)),
       sample_depth_(storage(gl, samples, GL_DEPTH_COMPONENT24, width, height)),
       pixels_(make_framebuffer(gl)),
-      pixel_color_(storage(gl, 0, GL_SRGB8_ALPHA8, width, height)) {
+      pixel_color_(storage(gl, 0, GL_RGBA8, width, height)) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, pixels_.id());
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, pixel_color_.id());
   check_complete(gl, "resolved");
@@ -43,7 +43,6 @@ FrameBuffer::FrameBuffer(const GladGLContext& gl, int width, int height)
   check_complete(gl, "multisample");
 
   gl.Viewport(0, 0, width, height);
-  gl.Enable(GL_FRAMEBUFFER_SRGB);
   gl.Enable(GL_SCISSOR_TEST);
   gl.FrontFace(GL_CW);  // y runs down
   gl.CullFace(GL_BACK);
@@ -52,12 +51,12 @@ FrameBuffer::FrameBuffer(const GladGLContext& gl, int width, int height)
   gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
 }
 
-void FrameBuffer::begin(const Rect& area, const Color& background) {
+void FrameBuffer::begin(const Rect& area, const Color& background, bool with_depth) {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, samples_.id());
   gl_->Scissor(area.x, area.y, area.width, area.height);
-  const std::array<float, 4> color = linear(background);
+  const std::array<float, 4> color = gl_color(background);
   gl_->ClearColor(color[0], color[1], color[2], 1);
-  gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  gl_->Clear(with_depth ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT);
 }
 
 void FrameBuffer::read(const Rect& area, Image& image) {
@@ -66,9 +65,7 @@ void FrameBuffer::read(const Rect& area, Image& image) {
   gl_->BlitFramebuffer(area.x, area.y, x1, y1, area.x, area.y, x1, y1, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, pixels_.id());
   gl_->PixelStorei(GL_PACK_ROW_LENGTH, image.width);
-  const std::size_t first = 4 * (static_cast<std::size_t>(area.y) * static_cast<std::size_t>(image.width) +
-                                 static_cast<std::size_t>(area.x));
-  gl_->ReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data() + first);
+  gl_->ReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixel(area.x, area.y));
 }
 
 }  // namespace bookspin

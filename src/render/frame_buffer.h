@@ -1,4 +1,4 @@
-// Where the drawing goes: four samples a pixel, depth, sRGB; and the way out of it.
+// Where the drawing goes: four samples a pixel and depth; and the way out of it.
 //
 // The first row is the picture's top row. Throws std::runtime_error when OpenGL has no such frame buffer.
 #pragma once
@@ -14,8 +14,8 @@ class FrameBuffer {
   FrameBuffer(const GladGLContext& gl, int width, int height);
 
   // All drawing until read() stays within area, which is cleared.
-  void begin(const Rect& area, const Color& background);
-  // The samples averaged in linear light, copied to the same place in image.
+  void begin(const Rect& area, const Color& background, bool with_depth);
+  // The samples averaged, copied to the same place in image.
   void read(const Rect& area, Image& image);
 
  private:

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/linear_color.h"
+#include "render/gl_color.h"
 
 namespace bookspin {
 namespace {
@@ -35,7 +35,7 @@ std::vector<float> arrow_triangles(const Arrow& arrow) {
   const Eigen::Vector3d axis = (arrow.to_W - arrow.from_W) / shape.length;
   const Eigen::Vector3d right = axis.unitOrthogonal();
   const Eigen::Vector3d up = axis.cross(right);
-  const std::array<float, 4> color = linear(arrow.color);
+  const std::array<float, 4> color = gl_color(arrow.color);
 
   struct Ring {
     double along, radius;
@@ -88,11 +88,12 @@ void push_line(std::vector<float>& out, const View& view, int width, int height,
   const Eigen::Vector2d along = (b_px - a_px) / length;
   const Eigen::Vector2d across = (line.width_px / 2 * Eigen::Vector2d(-along.y(), along.x())).cwiseQuotient(half_frame);
 
-  const std::array<float, 4> color = linear(line.color);
+  const std::array<float, 4> color = gl_color(line.color);
   const auto vertex = [&](const Eigen::Vector4d& end, double side) {
     Eigen::Vector4d clip = end;
     clip.head<2>() += side * end.w() * across;
-    // With the far plane at infinity z_clip = w - 2 near: what z would be at a smaller distance, at the same place on the screen.
+    // With the far plane at infinity z_clip = w - 2 near: what z would be at a smaller distance, at the same place on
+    // the screen.
     const double nearer = end.w() * (1 - line_bias);
     clip.z() = (nearer - 2 * near) / nearer * end.w();
     push(out, clip);
@@ -122,7 +123,7 @@ OverlayPainter::OverlayPainter(const GladGLContext& gl, const std::filesystem::p
     for (std::size_t i = 0; i < sizes.size(); ++i) {
       gl.EnableVertexAttribArray(static_cast<GLuint>(i));
       gl.VertexAttribPointer(static_cast<GLuint>(i), sizes[i], GL_FLOAT, GL_FALSE,
-                             floats_a_vertex * static_cast<GLsizei>(sizeof(float)), reinterpret_cast<const void*>(offset));
+                             floats_a_vertex * static_cast<GLsizei>(sizeof(float)), buffer_offset(offset));
       offset += static_cast<std::size_t>(sizes[i]) * sizeof(float);
     }
     return stream;

@@ -24,12 +24,22 @@ constexpr std::array<std::string_view, 10> integrator_names{"explicit_euler", "s
                                                             "composition8",   "splitting2",          "splitting4",      "dmv2",
                                                             "dmv6",           "dmv10"};
 
-constexpr int most_frames = 100000;  // half an hour at 60 frames a second
+constexpr int most_frames = 100000;       // half an hour at 60 frames a second
 constexpr int most_book_frames = 400000;  // books times frames: what a trajectory may take of memory
 constexpr int most_books = 8;
 
-Range positive() { return {0.0, any, true}; }
-Range signed_number() { return {-any, any}; }
+Range positive() {
+  return {0.0, any, true};
+}
+Range signed_number() {
+  return {-any, any};
+}
+
+std::vector<std::string_view> quantity_names() {
+  std::vector<std::string_view> names;
+  for (const Quantity& q : quantities()) names.push_back(q.name);
+  return names;
+}
 
 void read_clip(TableReader& scene_reader, Clip& clip) {
   const toml::node* node = scene_reader.node("clip");
@@ -52,6 +62,8 @@ void read_view(TableReader& scene_reader, ViewSetup& view) {
   if (view.from.head<1>().norm() + std::abs(view.from.z()) == 0.0) {
     reader.fail(*reader.node("from"), "from", "a direction that does not point straight up or down: x or z not 0");
   }
+  const std::vector<std::string_view> names = quantity_names();
+  for (const std::size_t i : reader.read_words("head_up", names)) view.head_up.push_back(&quantities()[i]);
   reader.done();
 }
 
@@ -68,6 +80,17 @@ void read_damping(TableReader& reader, double& damping) {
     reader.fail(*node, "damping", "true, false, or a number from 0 to 1000");
   }
   damping = *value;
+}
+
+void read_show(TableReader& reader, Show& show) {
+  const std::array<std::pair<std::string_view, bool*>, 5> parts{{{"axes", &show.axes},
+                                                                 {"angular_velocity", &show.angular_velocity},
+                                                                 {"angular_momentum", &show.angular_momentum},
+                                                                 {"trace", &show.trace},
+                                                                 {"springs", &show.springs}}};
+  std::vector<std::string_view> words;
+  for (const auto& [word, flag] : parts) words.push_back(word);
+  for (const std::size_t i : reader.read_words("show", words)) *parts[i].second = true;
 }
 
 // Words that `integrator` may be for a method, for an error that lists them; empty for the exact motion, which takes no steps.
@@ -117,7 +140,7 @@ BookSetup read_book(const toml::table& table, const std::string& path) {
   reader.read("particle_mass", o.particle_mass, positive());
   reader.read("position", book.position_W, signed_number());
   book.style = static_cast<Style>(reader.read_word("style", style_names, 0));
-  reader.read("show_axes", book.show_axes);
+  read_show(reader, book.show);
   reader.done();
   return book;
 }
@@ -146,8 +169,7 @@ void read_frames(TableReader& reader, Expectation& e) {
 Expectation read_expectation(const toml::table& table, const std::string& path, int books) {
   TableReader reader(table, path);
   Expectation e;
-  std::vector<std::string_view> names;
-  for (const Quantity& q : quantities()) names.push_back(q.name);
+  const std::vector<std::string_view> names = quantity_names();
   reader.read("says", e.says);
   if (!reader.has("quantity")) reader.fail_missing("quantity", fmt::format("one of {}", fmt::join(names, ", ")));
   e.quantity = &quantities()[reader.read_word("quantity", names, 0)];
@@ -191,19 +213,20 @@ Scene read_scene(const toml::table& table) {
   read_view(reader, scene.view);
   const toml::array* books = tables(reader, "book");
   if (books == nullptr) reader.fail_missing("book", "one or more tables [[book]]");
-  const std::size_t most = std::min<std::size_t>(most_books, static_cast<std::size_t>(most_book_frames / scene.clip.frames));
+  const std::size_t most =
+      std::min<std::size_t>(most_books, static_cast<std::size_t>(most_book_frames / scene.clip.frames));
   if (books->size() > most) {
-    throw std::invalid_argument(fmt::format("{}book: found {} books of {} frames; allowed: up to {} books, and books x frames up to {}",
-                                            location(books->source()), books->size(), scene.clip.frames, most_books,
-                                            most_book_frames));
+    throw std::invalid_argument(
+        fmt::format("{}book: found {} books of {} frames; allowed: up to {} books, and books x frames up to {}",
+                    location(books->source()), books->size(), scene.clip.frames, most_books, most_book_frames));
   }
   for (std::size_t i = 0; i < books->size(); ++i) {
     scene.books.push_back(read_book(*(*books)[i].as_table(), fmt::format("book.{}", i)));
   }
   if (const toml::array* list = tables(reader, "expect")) {
     for (std::size_t i = 0; i < list->size(); ++i) {
-      scene.expectations.push_back(read_expectation(*(*list)[i].as_table(), fmt::format("expect.{}", i),
-                                                    static_cast<int>(scene.books.size())));
+      scene.expectations.push_back(
+          read_expectation(*(*list)[i].as_table(), fmt::format("expect.{}", i), static_cast<int>(scene.books.size())));
     }
   }
   reader.done();
@@ -254,7 +277,8 @@ void apply_override(toml::table& scene, const std::string& text) {
     const bool last = dot == std::string_view::npos;
     if (toml::array* list = at->as_array()) {
       const std::optional<std::size_t> i = index(key);
-      if (!i || *i >= list->size()) fail(fmt::format("there is no '{}' in a list of {}, counted from 0", key, list->size()));
+      if (!i || *i >= list->size())
+        fail(fmt::format("there is no '{}' in a list of {}, counted from 0", key, list->size()));
       if (last) {
         list->replace(list->cbegin() + static_cast<std::ptrdiff_t>(*i), std::move(*value.get("value")));
         return;
@@ -290,7 +314,8 @@ std::string read_script(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
-  if (!in || std::filesystem::is_directory(file)) throw std::runtime_error(fmt::format("{}: cannot be read", file.string()));
+  if (!in || std::filesystem::is_directory(file))
+    throw std::runtime_error(fmt::format("{}: cannot be read", file.string()));
   return text.str();
 }
 
@@ -298,6 +323,8 @@ Scene load_scene(const std::filesystem::path& file, std::span<const std::string>
   return parse_scene(read_script(file), file.string(), overrides);
 }
 
-std::string_view name_of(Method method) { return method_names[static_cast<std::size_t>(method)]; }
+std::string_view name_of(Method method) {
+  return method_names[static_cast<std::size_t>(method)];
+}
 
 }  // namespace bookspin

@@ -16,7 +16,7 @@
 
 namespace bookspin {
 
-inline constexpr double largest_extent = 2.5;  // in lengths of half the diagonal at rest
+inline constexpr double largest_extent = 2.0;  // in lengths of half the diagonal at rest
 
 struct BookFrame {
   Corners corners_W;                // about the book's own centre, world frame

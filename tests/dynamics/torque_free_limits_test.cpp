@@ -95,7 +95,8 @@ TEST(TorqueFreeLimits, KickBelowTheSquareRootOfTheSmallestDouble) {
   // One flip, near t = 5710. After it the reference's own 1e-45 grows by e^(sigma t): at t = 7000 it is wrong by 2e-13.
   const Vector3d L(1, 1e-170, 5e-171);
   expect_exact("kick 1e-170", errors(book, Quaterniond::Identity(), L, 6000, 40));
-  EXPECT_NEAR(TorqueFree(book, Quaterniond::Identity(), L).first_flip(), 5709.95812444136317, 2e-12);  // u0 / lambda in 60 digits; measured 2e-13
+  EXPECT_NEAR(TorqueFree(book, Quaterniond::Identity(), L).first_flip(), 5709.95812444136317,
+              2e-12);  // u0 / lambda in 60 digits; measured 2e-13
 }
 
 TEST(TorqueFreeLimits, ExactlyOnTheSeparatrix) {
@@ -127,8 +128,8 @@ TEST(TorqueFreeLimits, PrincipalAxes) {
 
 TEST(TorqueFreeLimits, EqualMoments) {
   Errors worst;
-  for (const Vector3d& I : {Vector3d(2, 2, 3), Vector3d(3, 2, 2), Vector3d(2, 3, 2), Vector3d(3, 3, 2), Vector3d(2, 3, 3),
-                            Vector3d(3, 2, 3), Vector3d(2, 2, 2)}) {
+  for (const Vector3d& I : {Vector3d(2, 2, 3), Vector3d(3, 2, 2), Vector3d(2, 3, 2), Vector3d(3, 3, 2),
+                            Vector3d(2, 3, 3), Vector3d(3, 2, 3), Vector3d(2, 2, 2)}) {
     for (const Vector3d& L : {Vector3d(1, 0.5, -0.25), Vector3d(1, 2, 0), Vector3d(0, 2, -1), Vector3d(1, 0, 1),
                               Vector3d(-1, 1e-9, 1e-9)}) {
       worst.widen(errors(I, tilted, L, 60, 4));
@@ -161,8 +162,8 @@ TEST(TorqueFreeLimits, NoRotation) {
 
 TEST(TorqueFreeLimits, FlatPlateNeedleAndImpossibleBody) {
   Errors worst;
-  for (const Vector3d& I : {Vector3d(1, 2, 3), Vector3d(1, 1, 1e-6), Vector3d(1, 1 + 1e-7, 1e-6), Vector3d(1, 1e-6, 2e-6),
-                            Vector3d(1, 2, 30), Vector3d(1e-6, 1, 1e6)}) {
+  for (const Vector3d& I : {Vector3d(1, 2, 3), Vector3d(1, 1, 1e-6), Vector3d(1, 1 + 1e-7, 1e-6),
+                            Vector3d(1, 1e-6, 2e-6), Vector3d(1, 2, 30), Vector3d(1e-6, 1, 1e6)}) {
     for (const Vector3d& L : {Vector3d(1, 0.5, -0.25), Vector3d(0.02, 1, 0.01), Vector3d(1e-3, 1, 1e-3)}) {
       double omega = 0;
       for (int i = 0; i < 3; ++i) omega = std::max(omega, std::abs(L[i]) / I[i]);
@@ -208,14 +209,15 @@ TEST(TorqueFreeLimits, BothFormsAtTheirSwitch) {
 }
 
 TEST(TorqueFreeLimits, NeighboursAgreeAcrossEveryBranch) {
-  // Starts a few last bits apart on both sides of a branch; their motions separate by that times the condition e^(sigma t) <= 30.
+  // Starts a few last bits apart on both sides of a branch; their motions separate by that times the condition e^(sigma
+  // t) <= 30.
   struct Pair {
     const char* name;
     Vector3d I_1, L_1, I_2, L_2;
     double T;
   };
   const double e = std::numeric_limits<double>::epsilon();
-  const double switch_ = 0.17157287525380990;  // k'
+  const double switch_ = 0.17157287525380990;         // k'
   const double z = std::sqrt(1 - switch_ * switch_);  // I = (2, 3, 6), L = (1, 0, z): k^2 = z^2
   const std::vector<Pair> pairs{
       {"separatrix, one side", {2, 3, 6}, {1, 0.5, 1}, {2, 3, 6}, {1 + e, 0.5, 1}, 15},

@@ -1,4 +1,5 @@
-// The free rigid body by Taylor series of order 40 in 50 digits: slow, and independent of every formula of torque_free.h.
+// The free rigid body by Taylor series of order 40 in 50 digits: slow, and independent of every formula of
+// torque_free.h.
 //
 //   dL/dt = L x (L / I),   dq/dt = q (0, L / I) / 2   (L in the body frame, q body -> world)
 #pragma once
@@ -19,7 +20,9 @@ inline WideQuaternion multiply(const WideQuaternion& p, const WideQuaternion& q)
           p[0] * q[2] - p[1] * q[3] + p[2] * q[0] + p[3] * q[1], p[0] * q[3] + p[1] * q[2] - p[2] * q[1] + p[3] * q[0]};
 }
 
-inline WideQuaternion conjugate(const WideQuaternion& q) { return {q[0], -q[1], -q[2], -q[3]}; }
+inline WideQuaternion conjugate(const WideQuaternion& q) {
+  return {q[0], -q[1], -q[2], -q[3]};
+}
 
 // Angle of the rotation from q to the exact orientation.
 inline double geodesic_angle(const Eigen::Quaterniond& q, const WideQuaternion& exact) {

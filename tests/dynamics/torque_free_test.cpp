@@ -48,7 +48,9 @@ std::vector<Case> cases() {
   return result;
 }
 
-double energy(const Vector3d& I_B, const Vector3d& L_B) { return 0.5 * L_B.dot(L_B.cwiseQuotient(I_B)); }
+double energy(const Vector3d& I_B, const Vector3d& L_B) {
+  return 0.5 * L_B.dot(L_B.cwiseQuotient(I_B));
+}
 
 TEST(TorqueFree, MatchesTheReferences) {
   int samples = 0;
@@ -80,8 +82,9 @@ TEST(TorqueFree, MatchesTheReferences) {
   EXPECT_EQ(samples, 240);
 }
 
-// One full period (two flips, 4 K / lambda) from Taylor series: L_B comes back, and the body has turned about L by an angle.
-// Both in 40 digits; 1e6 turns later the exact orientation is that turn to a power, and a remainder shorter than a period.
+// One full period (two flips, 4 K / lambda) from Taylor series: L_B comes back, and the body has turned about L by an
+// angle. Both in 40 digits; 1e6 turns later the exact orientation is that turn to a power, and a remainder shorter than
+// a period.
 TEST(TorqueFree, ErrorDoesNotGrowInAMillionTurns) {
   struct Start {
     Vector3d I_B, L_W;
@@ -97,7 +100,7 @@ TEST(TorqueFree, ErrorDoesNotGrowInAMillionTurns) {
       reference.advance_to(reference.time() - (L[1] - L_B[1]) / rate);
     }
     const Wide period = reference.time();
-    ASSERT_LE(static_cast<double>(abs(reference.L_B()[0] - L_B[0])), 1e-38);  // measured 6e-41
+    ASSERT_LE(static_cast<double>(abs(reference.L_B()[0] - L_B[0])), 1e-38);       // measured 6e-41
     EXPECT_NEAR(static_cast<double>(period / 2) / exact.flip_period(), 1, 4e-16);  // measured 1.1e-16
 
     WideQuaternion axis{0, L_B[0], L_B[1], L_B[2]};
@@ -126,7 +129,8 @@ TEST(TorqueFree, ErrorDoesNotGrowInAMillionTurns) {
 }
 
 TEST(TorqueFree, FlipsAreZerosOfTheMiddleComponent) {
-  for (const Vector3d& L : {Vector3d(1, 1e-3, 5e-4), Vector3d(-1, 1e-3, 5e-4), Vector3d(1, -1e-3, 5e-4), Vector3d(0, 1, 0.2)}) {
+  for (const Vector3d& L :
+       {Vector3d(1, 1e-3, 5e-4), Vector3d(-1, 1e-3, 5e-4), Vector3d(1, -1e-3, 5e-4), Vector3d(0, 1, 0.2)}) {
     const TorqueFree exact(book, Quaterniond::Identity(), L);
     const double first = exact.first_flip();
     EXPECT_GE(first, 0);
@@ -151,7 +155,7 @@ TEST(TorqueFree, ReturnsTheStartAndRunsBackwards) {
   const Quaterniond q0(0.5, -0.3, 0.7, 0.2);
   const Vector3d L_W(0.4, -1, 0.3);
   const TorqueFree exact(book, q0, L_W);
-  EXPECT_LE(exact.at(0).q_WB.angularDistance(q0.normalized()), 1e-15);          // measured 3e-16
+  EXPECT_LE(exact.at(0).q_WB.angularDistance(q0.normalized()), 1e-15);             // measured 3e-16
   EXPECT_LE((exact.at(0).L_B - q0.normalized().conjugate() * L_W).norm(), 1e-15);  // measured 2e-16
   const TorqueFreeState late = exact.at(123.5);
   const TorqueFree back(book, late.q_WB, L_W);
@@ -160,7 +164,8 @@ TEST(TorqueFree, ReturnsTheStartAndRunsBackwards) {
 
 TEST(TorqueFree, StaysFiniteWhereTimeNoLongerResolvesATurn) {
   for (const Vector3d& I : {book, Vector3d(2, 3, 6), Vector3d(2, 2, 2), Vector3d(1e-50, 1, 1e50)}) {
-    for (const Vector3d& L : {Vector3d(1, 0.5, 1), Vector3d(1, 1e-12, 1e-12), Vector3d(1e-3, 1, 2), Vector3d(0, 0, 1)}) {
+    for (const Vector3d& L :
+         {Vector3d(1, 0.5, 1), Vector3d(1, 1e-12, 1e-12), Vector3d(1e-3, 1, 2), Vector3d(0, 0, 1)}) {
       for (const double t : {1e14, 1e17, -1e25, 1e150}) {
         const TorqueFreeState state = TorqueFree(I, Quaterniond::Identity(), L).at(t);
         EXPECT_NEAR(state.q_WB.norm(), 1, 1e-15);
