@@ -59,7 +59,7 @@ TEST_P(RigidLongSpin, stays) {
     BookOptions o = spin(axis, 1.0, GetParam().integrator);
     o.normalize = true;
     const double tilt = widest_tilt(FreeBook(o), axis, 1.0, GetParam(), [](const FreeBook& b) { return b.q_WB(); });
-    EXPECT_LE(tilt, tolerance(axis == 1 ? 5e-3 : 1.5e-3)) << axis;  // measured: X
+    EXPECT_LE(tilt, tolerance(axis == 1 ? 4.6e-3 : 1.2e-3)) << axis;  // measured: 4.18e-3, 1.05e-3
   }
 }
 
@@ -79,7 +79,7 @@ TEST_P(SpringLongSpin, stays) {
     const double tilt = widest_tilt(SpringBook(o), axis, 1.0, GetParam(), [&rest](const SpringBook& b) {
       return best_fit_orientation(b.corners_W(), rest);
     });
-    EXPECT_LE(tilt, tolerance(axis == 1 ? 1e-2 : 0.1)) << axis;  // measured: X
+    EXPECT_LE(tilt, tolerance(axis == 1 ? 1e-2 : 0.1)) << axis;  // measured: 4.19e-3, 1.06e-3; with other steps up to 0.03 about Z
   }
 }
 
@@ -95,12 +95,14 @@ TEST(ExactLongSpin, stays) {
     ExactBook book(spin(axis, 1.0, Integrator::explicit_euler));
     const Eigen::Vector3d L_W = book.angular_momentum_W();
     double widest = 0.0;
+    double drift = 0.0;
     for (int n = 0; n < 10000; ++n) {
       book.move_to(2.0 * std::numbers::pi * 10.0 * n + 0.1 * n);
       widest = std::max(widest, angle_between(book.q_WB() * Eigen::Vector3d::Unit(axis), L_W));
-      EXPECT_LE((book.angular_momentum_W() - L_W).norm(), tolerance(1e-13));  // measured: X
+      drift = std::max(drift, (book.angular_momentum_W() - L_W).norm() / L_W.norm());
     }
-    EXPECT_LE(widest, tolerance(axis == 1 ? 5e-3 : 1.5e-3));  // measured: X
+    EXPECT_LE(widest, tolerance(axis == 1 ? 4.6e-3 : 1.2e-3));  // measured: 4.18e-3, 1.05e-3
+    EXPECT_LE(drift, tolerance(1e-14));                         // measured: 1.1e-15
   }
 }
 
