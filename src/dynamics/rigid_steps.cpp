@@ -138,6 +138,7 @@ Eigen::Vector3d step_moments(Integrator integrator, const Eigen::Vector3d& I_B, 
   const double e3 = a.prod();
   const double C = 0.5 * h * h * L_B.squaredNorm();  // with the powers of h
   const double H = 0.5 * h * h * L_B.dot(L_B.cwiseProduct(a));
+  if (!(C * e2 + H * e1 < 100.0)) return Eigen::Vector3d::Constant(nan);  // a thin rod: the terms cancel, only rounding is left
   double s = 1.0 + C * e2 / 6 - H * e1 / 3;
   double d = -C * e3 / 3 + H * e2 / 6;
   s += C * C * (e2 * e2 / 30 - e1 * e3 / 10) + H * C * (-e1 * e2 / 30 + e3 * 2 / 15) + H * H * (e1 * e1 / 30 - e2 / 60);

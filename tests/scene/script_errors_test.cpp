@@ -133,11 +133,12 @@ const BadScript bad_scripts[] = {
     {"name_no_text", "title = \"T\"\n[[book]]\nname = 3\n",
      "s.toml:3:8: book.0.name: found 3; allowed: a text in quotes"},
     {"method_unknown", "title = \"T\"\n[[book]]\nmethod = \"magic\"\n",
-     "s.toml:3:10: book.0.method: found 'magic'; allowed: one of \"springs\", \"matrix\", \"quaternion\""},
+     "s.toml:3:10: book.0.method: found 'magic'; allowed: one of \"springs\", \"matrix\", \"quaternion\", \"exact\""},
     {"method_a_number", "title = \"T\"\n[[book]]\nmethod = 1\n",
-     "s.toml:3:10: book.0.method: found 1; allowed: one of \"springs\", \"matrix\", \"quaternion\""},
-    {"integrator_unknown", "title = \"T\"\n[[book]]\nintegrator = \"rk4\"\n",
-     "s.toml:3:14: book.0.integrator: found 'rk4'; allowed: one of \"explicit_euler\""},
+     "s.toml:3:10: book.0.method: found 1; allowed: one of \"springs\", \"matrix\", \"quaternion\", \"exact\""},
+    {"integrator_unknown", "title = \"T\"\n[[book]]\nintegrator = \"rk5\"\n",
+     "s.toml:3:14: book.0.integrator: found 'rk5'; allowed: one of \"explicit_euler\", \"semi_implicit_euler\", \"velocity_verlet\", "
+     "\"rk4\", \"composition8\", \"splitting2\", \"splitting4\", \"dmv2\", \"dmv6\", \"dmv10\""},
     {"size_zero", "title = \"T\"\n[[book]]\nsize = [1, 0, 1]\n",
      "s.toml:3:8: book.0.size: found [1, 0, 1]; allowed: a list of three numbers [x, y, z], each a number from 1e-06 "
      "to 1e+06"},
@@ -192,11 +193,11 @@ const BadScript bad_scripts[] = {
     {"quantity_missing", "title = \"T\"\n[[book]]\n[[expect]]\nat_most = 1\n",
      "s.toml:3:1: expect.0.quantity: is missing; allowed: one of tilt, flips, stretch, kinetic_energy, elastic_energy, "
      "energy_ratio, angular_momentum_ratio, norm, largest_singular_value, orthogonality_defect, blend_defect, "
-     "pulsations, extent, floor_hits, exploded"},
+     "pulsations, angle_error, extent, floor_hits, exploded"},
     {"quantity_unknown", "title = \"T\"\n[[book]]\n[[expect]]\nquantity = \"tlt\"\nat_most = 1\n",
      "s.toml:4:12: expect.0.quantity: found 'tlt'; allowed: one of \"tilt\", \"flips\", \"stretch\", "
      "\"kinetic_energy\", \"elastic_energy\", \"energy_ratio\", \"angular_momentum_ratio\", \"norm\", "
-     "\"largest_singular_value\", \"orthogonality_defect\", \"blend_defect\", \"pulsations\", \"extent\", "
+     "\"largest_singular_value\", \"orthogonality_defect\", \"blend_defect\", \"pulsations\", \"angle_error\", \"extent\", "
      "\"floor_hits\", \"exploded\""},
     {"expect_of_no_such_book", "title = \"T\"\n[[book]]\n[[expect]]\nquantity = \"tilt\"\nbook = 1\nat_most = 2\n",
      "s.toml:5:8: expect.0.book: found 1; allowed: a whole number from 0 to 0"},
@@ -267,7 +268,7 @@ const BadOverride bad_overrides[] = {
     {"clip.frames.x=3", "--set clip.frames.x=3: 'x' is below a value, not a table"},
     {"book.0.method=magic",
      "--set book.0.method=magic: book.0.method: found 'magic'; allowed: one of \"springs\", \"matrix\", "
-     "\"quaternion\""},
+     "\"quaternion\", \"exact\""},
     {"book.1.method=matrix", "--set book.1.method=matrix: there is no '1' in a list of 1, counted from 0"},
     {"book.x.method=matrix", "--set book.x.method=matrix: there is no 'x' in a list of 1, counted from 0"},
     {"book.-1.method=matrix", "--set book.-1.method=matrix: there is no '-1' in a list of 1, counted from 0"},
