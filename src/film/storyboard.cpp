@@ -42,16 +42,16 @@ Camera camera_that_frames(const std::vector<Sphere>& spheres, const Eigen::Vecto
   Camera camera;
   camera.vertical_fov = vertical_fov;
   camera.target_W = box.center();
-  const auto [right_W, up_W, back_W] = camera_axes(from_W);
-  const double half_height = std::atan(middle_band * std::tan(vertical_fov / 2.0));
-  const double half_width = std::atan(aspect * std::tan(vertical_fov / 2.0));
+  const CameraAxes axes = camera_axes(from_W);
+  const double tan_half = std::tan(vertical_fov / 2.0);
   double distance = 0.0;
-  for (const auto& [axis_W, half] : {std::pair{right_W, half_width}, std::pair{up_W, half_height}}) {
-    // How far the spheres reach towards the two side planes that face along +-axis, were the eye at the target.
+  // Per direction: how far the spheres reach towards the two side planes that face along +-axis, were the eye at the
+  // target.
+  const auto frame_along = [&](const Eigen::Vector3d& axis_W, double half) {
     const auto reach = [&](double sign) {
+      const Eigen::Vector3d outward_W = sign * std::cos(half) * axis_W + std::sin(half) * axes.back_W;
       double farthest = -std::numeric_limits<double>::infinity();
       for (const Sphere& s : spheres) {
-        const Eigen::Vector3d outward_W = sign * std::cos(half) * axis_W + std::sin(half) * back_W;
         farthest = std::max(farthest, outward_W.dot(s.center_W - camera.target_W) + margin * s.radius);
       }
       return farthest;
@@ -60,8 +60,10 @@ Camera camera_that_frames(const std::vector<Sphere>& spheres, const Eigen::Vecto
     const double minus = reach(-1.0);
     camera.target_W += axis_W * ((plus - minus) / (2.0 * std::cos(half)));  // as much room on one side as on the other
     distance = std::max(distance, (plus + minus) / (2.0 * std::sin(half)));
-  }
-  camera.eye_W = camera.target_W + distance * back_W;
+  };
+  frame_along(axes.right_W, std::atan(aspect * tan_half));
+  frame_along(axes.up_W, std::atan(middle_band * tan_half));
+  camera.eye_W = camera.target_W + distance * axes.back_W;
   return camera;
 }
 
@@ -71,8 +73,7 @@ double half_diagonal(const BookSetup& setup) {
 
 // Below the book in the picture: along the camera's down, not the world's.
 Eigen::Vector3d name_anchor_W(const Scene& scene, const BookSetup& setup) {
-  const auto [right_W, up_W, back_W] = camera_axes(scene.view.from);
-  return setup.position_W - up_W * (name_offset * half_diagonal(setup));
+  return setup.position_W - camera_axes(scene.view.from).up_W * (name_offset * half_diagonal(setup));
 }
 
 }  // namespace
