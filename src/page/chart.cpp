@@ -122,7 +122,7 @@ Axis axis_for(const std::vector<Curve>& curves, double low, double high, bool de
   if (!(high > low)) high = low + 1.0;
   axis.log = low > 0.0 && high > log_from && high / low > log_from;
   if (axis.log) {
-    const double first = std::floor(std::log10(least_positive) + 1e-9);
+    const double first = std::floor(std::log10(least_positive) + 0.05);  // a dip of a tenth is not worth a decade
     const double last = std::ceil(std::log10(high) - 1e-9);
     axis.step = std::max(1.0, std::ceil((last - first) / 4.0));
     axis.low = std::pow(10.0, first);
@@ -220,6 +220,7 @@ Json panel_of(const Json& film, const std::string& names) {
   panel["log"] = axis.log;
   panel["ticks"] = ticks_of(axis);
   panel["many"] = curves.size() > 1;
+  panel["heading"] = many_books ? title : "";
   panel["curves"] = Json::array();
   for (const Curve& curve : curves) {
     panel["curves"].push_back({{"label", curve.label}, {"colour", curve.colour}, {"path", path_of(curve, axis)}});
@@ -239,13 +240,14 @@ Json chart_of(const Json& film, std::string_view panels) {
   for (const std::string& names : split(panels, ',')) chart["panels"].push_back(panel_of(film, names));
   const double step = round_step(seconds, 9);
   for (int i = 0; i * step <= seconds * (1.0 + 1e-9); ++i) {
-    chart["times"].push_back({{"at", coordinate(100.0 * i * step / seconds)}, {"label", fmt::format("{:g} s", i * step)}});
+    chart["times"].push_back({{"at", coordinate(100.0 * i * step / seconds)}, {"label", fmt::format("{:g}", i * step)}});
   }
+  chart["times"].back()["label"] = chart["times"].back()["label"].get<std::string>() + " s";
   for (const Json& book : film["books"]) {
     const Json& exploded = book["exploded_frame"];
     if (!exploded.is_number() || exploded.get<int>() < first || exploded.get<int>() >= first + drawn) continue;
     const std::string name = book["name"];
-    chart["marks"].push_back({{"at", coordinate(100.0 * (exploded.get<int>() - first) / drawn)},
+    chart["marks"].push_back({{"share", fmt::format("{:.4f}", static_cast<double>(exploded.get<int>() - first) / drawn)},
                               {"label", name.empty() ? "explodes" : name + " explodes"}});
   }
   return chart;

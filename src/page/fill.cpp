@@ -59,6 +59,7 @@ std::size_t fill_section(const Template& source, std::size_t at, std::string_vie
   while (true) {
     const std::size_t open = source.text.find("{{", at);
     if (out != nullptr) out->append(source.text.substr(at, open - at));
+    const std::size_t before = at;
     if (open == std::string_view::npos) {
       if (!section.empty()) source.fail(at, fmt::format("{{{{/{}}}}} is missing", section));
       return source.text.size();
@@ -70,7 +71,17 @@ std::size_t fill_section(const Template& source, std::size_t at, std::string_vie
     std::string_view tag = trimmed(source.text.substr(open + ending.size(), close - open - ending.size()));
     at = close + ending.size();
     const char kind = raw || tag.empty() ? '\0' : tag.front();
-    if (kind == '/' || kind == '#' || kind == '^') tag = trimmed(tag.substr(1));
+    if (kind == '/' || kind == '#' || kind == '^') {
+      tag = trimmed(tag.substr(1));
+      // A section's tag that has a line to itself leaves no line behind.
+      const std::size_t line = open == 0 ? 0 : source.text.rfind('\n', open - 1) + 1;  // npos + 1 is 0
+      const std::size_t end_of_line = std::min(source.text.find('\n', at), source.text.size() - 1);
+      if (line >= before && trimmed(source.text.substr(line, open - line)).empty() &&
+          source.text[end_of_line] == '\n' && trimmed(source.text.substr(at, end_of_line - at)).empty()) {
+        if (out != nullptr) out->resize(out->size() - (open - line));
+        at = end_of_line + 1;
+      }
+    }
     if (kind == '/') {
       if (tag != section) source.fail(open, fmt::format("{{{{/{}}}}} does not close {{{{#{}}}}}", tag, section));
       return at;

@@ -107,6 +107,7 @@ Json film_context(const fs::path& site, const std::string& name, const Json& fil
   const Json& expectations = film["expectations"];
   const auto met = std::count_if(expectations.begin(), expectations.end(), [](const Json& e) { return e["met"] == true; });
   context["claims"] = expectations;
+  context["judged"] = !expectations.empty();
   context["verdict"] = fmt::format("{} of {}", met, expectations.size());
   context["all_met"] = met == static_cast<std::ptrdiff_t>(expectations.size());
   if (still) return context;
@@ -160,6 +161,7 @@ PageReceipt write_page(const PageOrder& order) {
     context["films"][name] = html;
     if (place == panels.end()) context["more"].push_back(html);
   }
+  context["any_more"] = !context["more"].empty();
   const fs::path file = order.site / "index.html";
   write_file(file, fill(page_template, context, source_name("template.html")));
   return {file, static_cast<int>(order.films.size()), fs::file_size(file)};
