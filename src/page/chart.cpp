@@ -13,8 +13,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int most_buckets = 180;   // of time in a curve, each with at most two points
-constexpr double log_from = 30.0;   // growth from which the axis is logarithmic
+constexpr int most_buckets = 180;  // of time in a curve, each with at most two points
+constexpr double log_from = 30.0;  // growth from which the axis is logarithmic
 constexpr int colours = 5;
 
 // How a quantity is shown: what its axis must hold whatever the data, so that a quantity that stays put is seen to.
@@ -77,7 +77,8 @@ Look look_of(const std::string& quantity, const Json& film) {
   if (known != looks.end()) return *known;
   for (const Json& q : film["quantities"]) {
     if (q["name"] == quantity) {
-      return {quantity.c_str(), quantity.c_str(), q["unit"].get_ref<const std::string&>().c_str(), 1.0, HUGE_VAL, -HUGE_VAL};
+      return {quantity.c_str(), quantity.c_str(), q["unit"].get_ref<const std::string&>().c_str(), 1.0,
+              HUGE_VAL,         -HUGE_VAL};
     }
   }
   throw std::invalid_argument(fmt::format("chart: found quantity '{}', which the film does not have", quantity));
@@ -174,7 +175,8 @@ std::string path_of(const Curve& curve, const Axis& axis) {
 
 std::string tick_label(double value, const Axis& axis) {
   if (axis.log) return fmt::format("{:g}", value);
-  return fmt::format("{:g}", std::abs(value) < axis.step * 1e-6 ? 0.0 : std::round(value / axis.step * 1e6) * axis.step / 1e6);
+  return fmt::format("{:g}",
+                     std::abs(value) < axis.step * 1e-6 ? 0.0 : std::round(value / axis.step * 1e6) * axis.step / 1e6);
 }
 
 Json ticks_of(const Axis& axis) {
@@ -235,19 +237,23 @@ Json chart_of(const Json& film, std::string_view panels) {
   const int first = clip["first_frame"];
   const int drawn = clip["drawn_frames"];
   const double seconds = drawn / clip["fps"].get<double>();
-  if (panels.empty()) panels = film["books"].size() > 1 ? "tilt, energy_ratio" : "tilt, energy_ratio+angular_momentum_ratio, stretch";
+  if (panels.empty())
+    panels = film["books"].size() > 1 ? "tilt, energy_ratio" : "tilt, energy_ratio+angular_momentum_ratio, stretch";
   Json chart{{"seconds", seconds}, {"panels", Json::array()}, {"times", Json::array()}, {"marks", Json::array()}};
   for (const std::string& names : split(panels, ',')) chart["panels"].push_back(panel_of(film, names));
   const double step = round_step(seconds, 9);
   for (int i = 0; i * step <= seconds * (1.0 + 1e-9); ++i) {
-    chart["times"].push_back({{"at", coordinate(100.0 * i * step / seconds)}, {"label", fmt::format("{:g}", i * step)}});
+    chart["times"].push_back(
+        {{"at", coordinate(100.0 * i * step / seconds)}, {"label", fmt::format("{:g}", i * step)}});
   }
   chart["times"].back()["label"] = chart["times"].back()["label"].get<std::string>() + " s";
   for (const Json& book : film["books"]) {
     const Json& exploded = book["exploded_frame"];
     if (!exploded.is_number() || exploded.get<int>() < first || exploded.get<int>() >= first + drawn) continue;
     const std::string name = book["name"];
-    chart["marks"].push_back({{"share", fmt::format("{:.4f}", static_cast<double>(exploded.get<int>() - first) / drawn)},
+    const double share = static_cast<double>(exploded.get<int>() - first) / drawn;
+    chart["marks"].push_back({{"share", fmt::format("{:.4f}", share)},
+                              {"late", share > 0.8},
                               {"label", name.empty() ? "explodes" : name + " explodes"}});
   }
   return chart;

@@ -55,9 +55,8 @@ void add_book(std::vector<Found>& found, const Json& book, int frames) {
   const Json& data = book["data"];
   const bool explodes = book["exploded_frame"].is_number();
   const int end = explodes ? std::min(frames, book["exploded_frame"].get<int>()) : frames;
-  add_counts(found, data, "flips", end, [&](int n) {
-    return fmt::format("{} has turned {} (flip {}).", who, n % 2 == 1 ? "over" : "back", n);
-  });
+  add_counts(found, data, "flips", end,
+             [&](int n) { return fmt::format("{} has turned {} (flip {}).", who, n % 2 == 1 ? "over" : "back", n); });
   // The vibration of springs swells and shrinks too, but too fast for words.
   if (book["method"] != "springs") {
     add_counts(found, data, "pulsations", end,
@@ -66,7 +65,8 @@ void add_book(std::vector<Found>& found, const Json& book, int frames) {
   }
   add_crossing(found, data, "energy_ratio", 2.0, true, end, who + " has twice its energy.");
   add_crossing(found, data, "angular_momentum_ratio", 0.5, false, end, who + " has lost half its angular momentum.");
-  add_crossing(found, data, "angular_momentum_ratio", 0.1, false, end, who + " has lost nine tenths of its angular momentum.");
+  add_crossing(found, data, "angular_momentum_ratio", 0.1, false, end,
+               who + " has lost nine tenths of its angular momentum.");
   add_crossing(found, data, "angle_error", half_turn, true, end, who + " is a right angle away from the exact motion.");
   if (explodes) found.push_back({end, who + " explodes; the film holds on the last picture before."});
 }

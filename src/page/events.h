@@ -1,9 +1,9 @@
 // What happens when in a film, in words: for its captions and for those who cannot see it.
 //
-// Found in the film's data: flips, pulsations, the explosion, energy doubled, angular momentum lost, the exact motion left
-// behind; and where each expectation of the script was decided. Seconds of the film, ascending; events within half a second
-// of each other become one. The WebVTT text has a cue for each event that lasts until the next one, at most 4 s.
-// Precondition: `film` is what film/film_data.h describes. Source: WebVTT, W3C.
+// Found in the film's data: flips, pulsations, the explosion, energy doubled, angular momentum lost, the exact motion
+// left behind; and where each expectation of the script was decided. Seconds of the film, ascending; events within half
+// a second of each other become one. The WebVTT text has a cue for each event that lasts until the next one, at most 4
+// s. Precondition: `film` is what film/film_data.h describes. Source: WebVTT, W3C.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -17,7 +17,8 @@ struct Template {
   const std::string& file;
 
   [[noreturn]] void fail(std::size_t at, const std::string& what) const {
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(at, text.size())), '\n');
+    const auto line =
+        1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(at, text.size())), '\n');
     throw std::runtime_error(fmt::format("{}:{}: {}", file, line, what));
   }
 };
@@ -47,15 +48,20 @@ bool shows(const Json* value) {
   return value->is_number() || !value->empty();
 }
 
-std::string as_text(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+std::string as_text(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(' ');
-  return first == std::string_view::npos ? std::string_view() : text.substr(first, text.find_last_not_of(' ') - first + 1);
+  return first == std::string_view::npos ? std::string_view()
+                                         : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-// Fills from `at` to the end of the section, and returns where what follows it begins. Without `out` it only finds that place.
-std::size_t fill_section(const Template& source, std::size_t at, std::string_view section, Stack& stack, std::string* out) {
+// Fills from `at` to the end of the section, and returns where what follows it begins. Without `out` it only finds that
+// place.
+std::size_t fill_section(const Template& source, std::size_t at, std::string_view section, Stack& stack,
+                         std::string* out) {
   while (true) {
     const std::size_t open = source.text.find("{{", at);
     if (out != nullptr) out->append(source.text.substr(at, open - at));
@@ -119,12 +125,23 @@ std::string escape_html(std::string_view text) {
   out.reserve(text.size());
   for (const char c : text) {
     switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      case '\'': out += "&#39;"; break;
-      default: out += c;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&#39;";
+        break;
+      default:
+        out += c;
     }
   }
   return out;

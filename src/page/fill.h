@@ -5,9 +5,9 @@
 //   {{#key}}...{{/key}}  once for each entry of a list, once for a true or non-empty value, else not at all
 //   {{^key}}...{{/key}}  once when {{#key}} would show nothing
 //
-// A key is looked up from the inside out; a dot enters an object (films.fig05), a lone dot is the entry itself. A section's
-// key may be unknown: that is a false. Throws std::runtime_error with file and line for an unknown key and for tags that
-// do not match. Source: mustache(5).
+// A key is looked up from the inside out; a dot enters an object (films.fig05), a lone dot is the entry itself. A
+// section's key may be unknown: that is a false. Throws std::runtime_error with file and line for an unknown key and
+// for tags that do not match. Source: mustache(5).
 #pragma once
 
 #include <nlohmann/json.hpp>

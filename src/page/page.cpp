@@ -53,7 +53,8 @@ void write_file(const fs::path& file, const std::string& text) {
 
 Json read_film(const fs::path& site, const std::string& name) {
   const auto need = [&](const std::string& product) {
-    if (!fs::exists(site / product)) fail(site / product, fmt::format("is missing; `bookspin render {}.toml` makes it", name));
+    if (!fs::exists(site / product))
+      fail(site / product, fmt::format("is missing; `bookspin render {}.toml` makes it", name));
     return site / product;
   };
   const fs::path file = need(name + ".json");
@@ -68,7 +69,8 @@ Json read_film(const fs::path& site, const std::string& name) {
 std::string percent_encoded(const std::string& text) {
   std::string out;
   for (const char c : text) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || std::strchr("-._~", c) != nullptr;
+    const bool plain =
+        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || std::strchr("-._~", c) != nullptr;
     out += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
   }
   return out;
@@ -105,7 +107,8 @@ Json film_context(const fs::path& site, const std::string& name, const Json& fil
                {"script", film["script"]},
                {"script_file", name + ".toml"}};
   const Json& expectations = film["expectations"];
-  const auto met = std::count_if(expectations.begin(), expectations.end(), [](const Json& e) { return e["met"] == true; });
+  const auto met =
+      std::count_if(expectations.begin(), expectations.end(), [](const Json& e) { return e["met"] == true; });
   context["claims"] = expectations;
   context["judged"] = !expectations.empty();
   context["verdict"] = fmt::format("{} of {}", met, expectations.size());
@@ -151,7 +154,10 @@ PageReceipt write_page(const PageOrder& order) {
   std::map<std::string, std::string> panels;
   const std::string page_template = find_places(source("template.html"), panels);
 
-  Json context{{"style", source("page.css")}, {"behaviour", source("page.js")}, {"films", Json::object()}, {"more", Json::array()}};
+  Json context{{"style", source("page.css")},
+               {"behaviour", source("page.js")},
+               {"films", Json::object()},
+               {"more", Json::array()}};
   context["report"] = fs::exists(order.site / "report" / "index.html");
   for (const std::string& name : order.films) {
     const auto place = panels.find(name);

@@ -31,7 +31,8 @@ TEST(Chart, DrawsEveryFrameOfAShortFilm) {
   EXPECT_EQ(panel["unit"], "°");
   EXPECT_THAT(labels(panel["ticks"]), testing::ElementsAre("0", "90", "180"));
   EXPECT_EQ(panel["curves"][0]["path"],
-            "M0,1000 50,1000 100,1000 150,1000 200,1000 250,1000 300,1000 350,1000 400,1000 450,1000 500,27.8 550,27.8 600,27.8 "
+            "M0,1000 50,1000 100,1000 150,1000 200,1000 250,1000 300,1000 350,1000 400,1000 450,1000 500,27.8 550,27.8 "
+            "600,27.8 "
             "650,27.8 700,27.8 750,27.8 800,27.8 850,27.8 900,27.8 950,27.8");
 }
 
@@ -83,11 +84,13 @@ TEST(Chart, AnExplosionEndsTheCurveAndIsMarked) {
 
 TEST(Chart, GrowthByOrdersOfMagnitudeHasALogarithmicAxis) {
   json film = a_film();
-  for (std::size_t n = 0; n < 20; ++n) film["books"][0]["data"]["energy_ratio"][n] = std::pow(10.0, 0.1 * static_cast<double>(n));
+  for (std::size_t n = 0; n < 20; ++n)
+    film["books"][0]["data"]["energy_ratio"][n] = std::pow(10.0, 0.1 * static_cast<double>(n));
   const json panel = chart_of(film, "energy_ratio")["panels"][0];
   EXPECT_EQ(panel["log"], true);
   EXPECT_THAT(labels(panel["ticks"]), testing::ElementsAre("1", "10", "100"));
-  EXPECT_THAT(panel["curves"][0]["path"].get<std::string>(), testing::HasSubstr(" 500,500 "));  // 10 after half the time
+  EXPECT_THAT(panel["curves"][0]["path"].get<std::string>(),
+              testing::HasSubstr(" 500,500 "));  // 10 after half the time
 }
 
 TEST(Chart, WhatStaysPutIsSeenToAndGapsAreGaps) {

@@ -14,13 +14,15 @@ using nlohmann::json;
 
 std::vector<std::string> told(const json& film) {
   std::vector<std::string> lines;
-  for (const Event& event : events_of(film)) lines.push_back(std::to_string(event.seconds).substr(0, 3) + " " + event.what);
+  for (const Event& event : events_of(film))
+    lines.push_back(std::to_string(event.seconds).substr(0, 3) + " " + event.what);
   return lines;
 }
 
 TEST(Events, FlipsBoundsAndExpectationsInOrder) {
-  EXPECT_THAT(told(a_film()), testing::ElementsAre("1.0 The book has turned over (flip 1). The book has twice its energy.",
-                                                   "1.9 It turns over."));
+  EXPECT_THAT(told(a_film()),
+              testing::ElementsAre("1.0 The book has turned over (flip 1). The book has twice its energy.",
+                                   "1.9 It turns over."));
 }
 
 TEST(Events, AnExplosionIsTheLastThingThatABookDoes) {
@@ -28,7 +30,8 @@ TEST(Events, AnExplosionIsTheLastThingThatABookDoes) {
   film["expectations"] = json::array();
   film["books"][0]["exploded_frame"] = 6;
   film["books"][0]["name"] = "springs";
-  EXPECT_THAT(told(film), testing::ElementsAre("0.6 springs: the book explodes; the film holds on the last picture before."));
+  EXPECT_THAT(told(film),
+              testing::ElementsAre("0.6 springs: the book explodes; the film holds on the last picture before."));
 }
 
 TEST(Events, AnUnmetExpectationIsNotTold) {

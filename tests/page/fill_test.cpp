@@ -10,12 +10,13 @@ namespace {
 
 using nlohmann::json;
 
-std::string filled(std::string_view text, const json& data) { return fill(text, data, "some.html"); }
+std::string filled(std::string_view text, const json& data) {
+  return fill(text, data, "some.html");
+}
 
 TEST(Fill, EscapesWhatHtmlWouldRead) {
   const json data{{"title", R"(<b> & "it's" </script>)"}};
-  EXPECT_EQ(filled("<i title='{{title}}'>", data),
-            "<i title='&lt;b&gt; &amp; &quot;it&#39;s&quot; &lt;/script&gt;'>");
+  EXPECT_EQ(filled("<i title='{{title}}'>", data), "<i title='&lt;b&gt; &amp; &quot;it&#39;s&quot; &lt;/script&gt;'>");
   EXPECT_EQ(filled("{{{title}}}", data), R"(<b> & "it's" </script>)");
   EXPECT_EQ(filled("{{ title }}", {{"title", "{{title}}"}}), "{{title}}");  // data is not a template
 }
@@ -32,7 +33,8 @@ TEST(Fill, ShowsASectionOrItsOpposite) {
     EXPECT_THAT(filled(text, {{"a", value}}), testing::StartsWith("yes")) << value;
     EXPECT_THAT(filled(text, {{"a", value}}), testing::Not(testing::HasSubstr("no"))) << value;
   }
-  for (const json& value : {json(false), json(""), json(nullptr), json::array()}) EXPECT_EQ(filled(text, {{"a", value}}), "no") << value;
+  for (const json& value : {json(false), json(""), json(nullptr), json::array()})
+    EXPECT_EQ(filled(text, {{"a", value}}), "no") << value;
   EXPECT_EQ(filled(text, json::object()), "no");
 }
 

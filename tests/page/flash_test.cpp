@@ -1,10 +1,11 @@
-// No film flashes more than three times in any second (WCAG 2.3.1): the drawn frames of every film in which a book explodes.
+// No film flashes more than three times in any second (WCAG 2.3.1): the drawn frames of every film in which a book
+// explodes.
 //
-// A general flash is a pair of opposing changes of relative luminance by 10 % or more, the darker state below 0.8. Flashes count
-// where together they cover a quarter of a field of view of 10 degrees, which for a film that fills a screen is a third of its
-// width and height. Measured here: the mean luminance of the whole picture and of tiles of a sixth of its width and height, a quarter
-// of such a field, each overlapping its neighbours by half. A tile changes by 10 % only if its whole area does so on average.
-// Saturated red, which has a rule of its own, is in no film.
+// A general flash is a pair of opposing changes of relative luminance by 10 % or more, the darker state below 0.8.
+// Flashes count where together they cover a quarter of a field of view of 10 degrees, which for a film that fills a
+// screen is a third of its width and height. Measured here: the mean luminance of the whole picture and of tiles of a
+// sixth of its width and height, a quarter of such a field, each overlapping its neighbours by half. A tile changes by
+// 10 % only if its whole area does so on average. Saturated red, which has a rule of its own, is in no film.
 
 #include <gtest/gtest.h>
 
@@ -34,9 +35,12 @@ class Changes {
   bool add(double luminance) {
     low_ = std::min(low_, luminance);
     high_ = std::max(high_, luminance);
-    if (direction_ <= 0 && luminance - low_ >= 0.1 && low_ < 0.8) direction_ = 1;
-    else if (direction_ >= 0 && high_ - luminance >= 0.1 && luminance < 0.8) direction_ = -1;
-    else return false;
+    if (direction_ <= 0 && luminance - low_ >= 0.1 && low_ < 0.8)
+      direction_ = 1;
+    else if (direction_ >= 0 && high_ - luminance >= 0.1 && luminance < 0.8)
+      direction_ = -1;
+    else
+      return false;
     low_ = high_ = luminance;
     return true;
   }
@@ -78,12 +82,13 @@ class FlashMeter {
     for (int y = 1; y <= height_; ++y) {
       for (int x = 1; x <= width_; ++x) {
         const auto pixel = static_cast<std::size_t>((y - 1) * width_ + x - 1);
-        sums[at(x, y)] =
-            relative_luminance(&image.rgba[4 * pixel]) + sums[at(x - 1, y)] + sums[at(x, y - 1)] - sums[at(x - 1, y - 1)];
+        sums[at(x, y)] = relative_luminance(&image.rgba[4 * pixel]) + sums[at(x - 1, y)] + sums[at(x, y - 1)] -
+                         sums[at(x - 1, y - 1)];
       }
     }
     for (Tile& t : tiles_) {
-      const double sum = sums[at(t.x + t.w, t.y + t.h)] - sums[at(t.x, t.y + t.h)] - sums[at(t.x + t.w, t.y)] + sums[at(t.x, t.y)];
+      const double sum =
+          sums[at(t.x + t.w, t.y + t.h)] - sums[at(t.x, t.y + t.h)] - sums[at(t.x + t.w, t.y)] + sums[at(t.x, t.y)];
       if (t.changes.add(sum / (t.w * t.h))) t.frames.push_back(frame_);
       while (!t.frames.empty() && frame_ - t.frames.front() >= fps_) t.frames.pop_front();
       worst_ = std::max(worst_, static_cast<int>(t.frames.size()) / 2);
@@ -94,7 +99,7 @@ class FlashMeter {
 
  private:
   struct Tile {
-    int x, y, w, h;          // pixels
+    int x, y, w, h;  // pixels
     Changes changes;
     std::deque<int> frames;  // of its changes within the last second
   };
@@ -112,7 +117,8 @@ int worst_of_flicker(double per_second, std::uint8_t bright, int side) {
   for (int n = 0; n < 120; ++n) {
     Image image(48, 48);
     const bool on = std::fmod(n * per_second / 60.0, 1.0) >= 0.5;
-    for (int y = 0; on && y < side; ++y) std::fill_n(&image.rgba[static_cast<std::size_t>(4 * 48 * y)], 4 * side, bright);
+    for (int y = 0; on && y < side; ++y)
+      std::fill_n(&image.rgba[static_cast<std::size_t>(4 * 48 * y)], 4 * side, bright);
     meter.add(image);
   }
   return meter.worst();
@@ -143,7 +149,8 @@ TEST_P(Flashes, AtMostThreeInAnySecondOfAnExplosion) {
   constexpr int height = 108;
   const Scene scene = load_scene(project / "videos" / (GetParam() + ".toml"));
   const Trajectory trajectory = simulate(scene);
-  const bool explodes = std::any_of(trajectory.books.begin(), trajectory.books.end(), [](const BookTrack& b) { return b.exploded_frame.has_value(); });
+  const bool explodes = std::any_of(trajectory.books.begin(), trajectory.books.end(),
+                                    [](const BookTrack& b) { return b.exploded_frame.has_value(); });
   if (!explodes) return;
   const Storyboard storyboard(scene, trajectory, static_cast<double>(width) / height);
   Renderer renderer(width, height, project);
@@ -152,7 +159,8 @@ TEST_P(Flashes, AtMostThreeInAnySecondOfAnExplosion) {
   EXPECT_LE(meter.worst(), most_flashes);
 }
 
-INSTANTIATE_TEST_SUITE_P(Films, Flashes, testing::ValuesIn(scripts()), [](const auto& param_info) { return param_info.param; });
+INSTANTIATE_TEST_SUITE_P(Films, Flashes, testing::ValuesIn(scripts()),
+                         [](const auto& param_info) { return param_info.param; });
 
 }  // namespace
 }  // namespace bookspin

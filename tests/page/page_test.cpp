@@ -29,7 +29,8 @@ struct Page : testing::Test {
       fs::copy_file(entry.path(), scratch / ("templates/" + entry.path().filename().string()));
     }
     fs::create_directories(scratch / "site");
-    write_text(scratch / "templates/template.html", "<main>{{film a: tilt}}</main>{{#more}}<li>{{{.}}}</li>{{/more}}<s>{{{behaviour}}}</s>");
+    write_text(scratch / "templates/template.html",
+               "<main>{{film a: tilt}}</main>{{#more}}<li>{{{.}}}</li>{{/more}}<s>{{{behaviour}}}</s>");
     put("a", a_film());
   }
   void put(const std::string& name, json film) {
@@ -87,8 +88,8 @@ TEST_F(Page, WordsStayWords) {
   EXPECT_THAT(html, Not(HasSubstr("<i>it")));
   EXPECT_THAT(html, HasSubstr("# &lt;/pre&gt;&lt;/textarea&gt;&lt;b&gt;&quot;&amp;amp;&quot;&lt;/b&gt;"));
   EXPECT_THAT(html, HasSubstr("&lt;i&gt;it&lt;/i&gt; --&gt; &amp; turns"));
-  EXPECT_THAT(html, HasSubstr("{{script}}"));                    // data is not a template
-  EXPECT_THAT(html, HasSubstr("&amp;lt;/script&amp;gt;"));       // in the snippet, which is shown as text: escaped twice
+  EXPECT_THAT(html, HasSubstr("{{script}}"));               // data is not a template
+  EXPECT_THAT(html, HasSubstr("&amp;lt;/script&amp;gt;"));  // in the snippet, which is shown as text: escaped twice
 }
 
 TEST_F(Page, AnUnmetClaimIsShownAsOne) {
@@ -102,7 +103,8 @@ TEST_F(Page, AnUnmetClaimIsShownAsOne) {
 TEST_F(Page, AMissingProductIsNamed) {
   for (const char* product : {"a.mp4", "a.png", "a.json"}) {
     fs::remove(scratch / ("site/" + std::string(product)));
-    EXPECT_THAT(message(), HasSubstr((scratch / ("site/" + std::string(product))).string() + ": is missing; `bookspin render a.toml`"));
+    EXPECT_THAT(message(), HasSubstr((scratch / ("site/" + std::string(product))).string() +
+                                     ": is missing; `bookspin render a.toml`"));
   }
   EXPECT_FALSE(fs::exists(scratch / "site/index.html"));
 }
@@ -133,7 +135,8 @@ TEST_F(Page, TheSameFilmsGiveTheSameBytesAndNothingElseIsLeft) {
 }
 
 TEST_F(Page, TheReportIsLinkedWhenThereIsOne) {
-  fs::copy_file(real_templates / "template.html", scratch / "templates/template.html", fs::copy_options::overwrite_existing);
+  fs::copy_file(real_templates / "template.html", scratch / "templates/template.html",
+                fs::copy_options::overwrite_existing);
   EXPECT_THAT(made(), Not(HasSubstr("report/index.html")));
   fs::create_directories(scratch / "site/report");
   write_text(scratch / "site/report/index.html", "");
@@ -146,7 +149,8 @@ TEST(PageTemplate, HasAPlaceForEveryScript) {
   for (const auto& entry : fs::directory_iterator(fs::path(BOOKSPIN_SOURCE_DIR) / "videos")) {
     if (entry.path().extension() != ".toml") continue;
     const std::string name = entry.path().stem().string();
-    EXPECT_TRUE(std::regex_search(text, std::regex("\\{\\{film " + name + "[:}]"))) << name << " has no place in template.html";
+    EXPECT_TRUE(std::regex_search(text, std::regex("\\{\\{film " + name + "[:}]")))
+        << name << " has no place in template.html";
   }
 }
 
