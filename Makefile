@@ -13,6 +13,10 @@ golden: everything
 	BOOKSPIN_ACCEPT_GOLDENS=1 ctest --preset release -R '^(image|render|film)$$'
 	git status --short tests/golden
 
+# What a frame costs, the rate of the whole job, peak memory.
+bench: everything
+	build/stages_bench
+
 clean:
 	rm -rf build build-debug build-sanitize videos/site
 

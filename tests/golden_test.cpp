@@ -15,8 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path golden_folder(const std::string& room) { return fs::path(BOOKSPIN_SOURCE_DIR) / "tests" / "golden" / room; }
-fs::path failure_folder(const std::string& room) { return fs::path(BOOKSPIN_BINARY_DIR) / "golden" / room; }
+fs::path golden_folder(const std::string& room) {
+  return fs::path(BOOKSPIN_SOURCE_DIR) / "tests" / "golden" / room;
+}
+fs::path failure_folder(const std::string& room) {
+  return fs::path(BOOKSPIN_BINARY_DIR) / "golden" / room;
+}
 
 bool accepting() {
   const char* value = std::getenv("BOOKSPIN_ACCEPT_GOLDENS");
@@ -27,7 +31,8 @@ std::string how_to_accept() {
   return std::string("  To accept the new picture, after looking at it:  make -C ") + BOOKSPIN_SOURCE_DIR + " golden";
 }
 
-// The goldens that this program's tests asked for, each with its test: filled by expect_golden, read when the program ends.
+// The goldens that this program's tests asked for, each with its test: filled by expect_golden, read when the program
+// ends.
 std::map<std::string, std::string>& owners() {
   static std::map<std::string, std::string> owners_by_name;
   return owners_by_name;
@@ -72,7 +77,8 @@ class GoldenFolderCheck : public testing::Environment {
     for (std::size_t i = 0; i < images.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         EXPECT_FALSE(matches(compare(images[i], images[j], tolerance.threshold), tolerance))
-            << goldens[i].string() << " and " << goldens[j].string() << " show the same picture: one of them tests nothing";
+            << goldens[i].string() << " and " << goldens[j].string()
+            << " show the same picture: one of them tests nothing";
       }
     }
   }
@@ -83,7 +89,8 @@ class GoldenFolderCheck : public testing::Environment {
 }  // namespace
 
 void expect_golden(const Image& actual, const std::string& room, const std::string& name, GoldenTolerance tolerance) {
-  EXPECT_EQ(owners().emplace(name, current_test()).first->second, current_test()) << "two tests own the golden " << name;
+  EXPECT_EQ(owners().emplace(name, current_test()).first->second, current_test())
+      << "two tests own the golden " << name;
   const fs::path golden = golden_folder(room) / (name + ".png");
   if (accepting()) {
     if (!fs::exists(golden) || !matches(compare(read_png(golden), actual, tolerance.threshold), tolerance)) {
@@ -101,7 +108,8 @@ void expect_golden(const Image& actual, const std::string& room, const std::stri
   };
   if (!fs::exists(golden)) {
     keep_actual();
-    ADD_FAILURE() << golden.string() << ": golden missing\n  actual: " << actual_path.string() << '\n' << how_to_accept();
+    ADD_FAILURE() << golden.string() << ": golden missing\n  actual: " << actual_path.string() << '\n'
+                  << how_to_accept();
     return;
   }
   const Image expected = read_png(golden);
@@ -120,8 +128,9 @@ void expect_golden(const Image& actual, const std::string& room, const std::stri
   }
   write_png(delta_path, delta_picture(expected, actual));
   ADD_FAILURE() << golden.string() << ": picture differs: max delta " << delta.max_delta << " (allowed "
-                << tolerance.max_delta << "), mean " << delta.mean_delta << " (allowed " << tolerance.mean_delta << "), share of pixels beyond " << tolerance.threshold << " levels "
-                << delta.share_above << " (allowed " << tolerance.share << ")\n  actual: " << actual_path.string()
+                << tolerance.max_delta << "), mean " << delta.mean_delta << " (allowed " << tolerance.mean_delta
+                << "), share of pixels beyond " << tolerance.threshold << " levels " << delta.share_above
+                << " (allowed " << tolerance.share << ")\n  actual: " << actual_path.string()
                 << "\n  delta:  " << delta_path.string() << '\n'
                 << how_to_accept();
 }

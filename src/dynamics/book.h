@@ -13,7 +13,19 @@
 
 namespace bookspin {
 
-enum class Integrator { explicit_euler };
+// Which method takes which: scene/scene_file.cpp. What each does: spring_book.h, rigid_book.h, rigid_steps.h.
+enum class Integrator {
+  explicit_euler,
+  semi_implicit_euler,
+  velocity_verlet,
+  rk4,
+  composition8,
+  splitting2,
+  splitting4,
+  dmv2,
+  dmv6,
+  dmv10
+};
 
 struct BookOptions {
   Eigen::Vector3d size{1.878, 2.9085, 0.5};            // full edge lengths a, b, c along the body axes, > 0

@@ -2,7 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+
+#include "dynamics/composition.h"
 
 namespace bookspin {
 
@@ -10,6 +13,7 @@ SpringBook::SpringBook(const BookOptions& options)
     : stiffness_(options.stiffness),
       particle_mass_(options.particle_mass),
       damping_(options.damping * 2.0 * std::sqrt(options.stiffness * options.particle_mass)),
+      integrator_(options.integrator),
       normalize_every_(options.normalize ? options.normalize_every : 0),
       rest_length_(),
       x_W_(corners_at_rest(options.size)) {
@@ -20,6 +24,7 @@ SpringBook::SpringBook(const BookOptions& options)
       rest_length_[pair++] = (x_W_.col(i) - x_W_.col(j)).norm();
     }
   }
+  F_W_ = forces(x_W_, v_W_).F_W;
   start_energy_ = kinetic_energy();
 }
 
@@ -44,17 +49,68 @@ SpringForces SpringBook::forces(const Corners& x_W, const Corners& v_W) const {
 }
 
 void SpringBook::step(double h) {
+  const bool normalizes = normalize_every_ > 0 && (steps_ + 1) % normalize_every_ == 0;
+  ++steps_;
+  if (integrator_ == Integrator::explicit_euler) {
+    const double elastic_energy_before = explicit_euler_step(h);
+    if (normalizes) normalize(elastic_energy_before);
+    return;
+  }
+  switch (integrator_) {
+    case Integrator::semi_implicit_euler:
+      semi_implicit_euler_step(h);
+      break;
+    case Integrator::velocity_verlet:
+      verlet_step(h);
+      break;
+    case Integrator::composition8:
+      for (const double fraction : kahan_li_order_8) verlet_step(fraction * h);
+      break;
+    default:
+      assert(integrator_ == Integrator::rk4);
+      rk4_step(h);
+  }
+  if (normalizes) normalize(elastic_energy());
+}
+
+double SpringBook::explicit_euler_step(double h) {
   const SpringForces old = forces(x_W_, v_W_);
   x_W_ += h * v_W_;
   v_W_ += (h / particle_mass_) * old.F_W;
-  ++steps_;
-  if (normalize_every_ > 0 && steps_ % normalize_every_ == 0) normalize(old.elastic_energy);
+  return old.elastic_energy;
 }
 
-void SpringBook::normalize(double elastic_energy_before) {
+void SpringBook::semi_implicit_euler_step(double h) {
+  v_W_ += (h / particle_mass_) * forces(x_W_, v_W_).F_W;
+  x_W_ += h * v_W_;
+}
+
+void SpringBook::verlet_step(double h) {
+  v_W_ += (0.5 * h / particle_mass_) * F_W_;
+  x_W_ += h * v_W_;
+  F_W_ = forces(x_W_, v_W_).F_W;
+  v_W_ += (0.5 * h / particle_mass_) * F_W_;
+}
+
+void SpringBook::rk4_step(double h) {
+  const auto acceleration = [this](const Corners& x_W, const Corners& v_W) -> Corners {
+    return forces(x_W, v_W).F_W / particle_mass_;
+  };
+  const Corners a1 = acceleration(x_W_, v_W_);
+  const Corners v2 = v_W_ + 0.5 * h * a1;
+  const Corners a2 = acceleration(x_W_ + 0.5 * h * v_W_, v2);
+  const Corners v3 = v_W_ + 0.5 * h * a2;
+  const Corners a3 = acceleration(x_W_ + 0.5 * h * v2, v3);
+  const Corners v4 = v_W_ + h * a3;
+  const Corners a4 = acceleration(x_W_ + h * v3, v4);
+  x_W_ += (h / 6.0) * (v_W_ + 2.0 * (v2 + v3) + v4);
+  v_W_ += (h / 6.0) * (a1 + 2.0 * (a2 + a3) + a4);
+}
+
+void SpringBook::normalize(double elastic_energy) {
   const double kinetic = kinetic_energy();
   const double floor = 0.1 * start_energy_;
-  const double wanted = start_energy_ - elastic_energy_before;
+  const double wanted = start_energy_ - elastic_energy;
   if (wanted < floor) ++floor_hits_;
   if (kinetic > 0.0) v_W_ *= std::sqrt(std::max(floor, wanted) / kinetic);
   const Eigen::Vector3d mean_position = x_W_.rowwise().mean();

@@ -3,8 +3,11 @@
 //   F_ij = -(c xhat_ij . (v_i - v_j) + k (|x_i - x_j| - l_ij)) xhat_ij,   F_ji = -F_ij,   c = damping 2 sqrt(k m)
 //
 // Explicit Euler, in the original program's order: forces from the old positions and velocities; x += h v; v += h F / m.
-// Normalization, every n-th step: v is scaled so that the kinetic energy becomes max(0.1 E0, E0 - elastic energy of the OLD
-// positions), then mean position and mean velocity are taken away. The floor of 0.1 E0 answers the printed formula's root of a
+// Semi-implicit Euler: v first, x with the new v. Velocity Verlet (order 2), its composition of 17 stages (order 8), RK4.
+// Verlet and the composition need damping 0: a damped force depends on the velocity that is being stepped, and half a kick of it
+// forwards is not undone by half a kick backwards; the order would fall to 1. Normalization, every n-th step: v is scaled so that
+// the kinetic energy becomes max(0.1 E0, E0 - elastic energy) (explicit Euler: of the OLD positions, as in the original; else of
+// the new ones), then mean position and mean velocity are taken away. The floor of 0.1 E0 answers the printed formula's root of a
 // negative number; `floor_hits` counts how often it bites. Coincident particles have no direction: their spring pulls nothing.
 // World frame. Nothing throws; a state that has grown past the largest double is non-finite, and stays so.
 #pragma once
@@ -36,15 +39,21 @@ class SpringBook {
   [[nodiscard]] SpringForces forces(const Corners& x_W, const Corners& v_W) const;
 
  private:
-  void normalize(double elastic_energy_before);
+  double explicit_euler_step(double h);  // the elastic energy of the old positions
+  void semi_implicit_euler_step(double h);
+  void verlet_step(double h);
+  void rk4_step(double h);
+  void normalize(double elastic_energy);
 
   double stiffness_;
   double particle_mass_;
   double damping_;                     // c, mass over time
+  Integrator integrator_;
   int normalize_every_;                // 0: never
   std::array<double, 28> rest_length_; // pairs (i, j), i < j, row by row
   Corners x_W_;
   Corners v_W_;
+  Corners F_W_;                        // Verlet: the forces at x_W_
   double start_energy_;                // E0: kinetic, since the springs start at rest
   long steps_ = 0;
   long floor_hits_ = 0;

@@ -20,11 +20,14 @@ using Json = nlohmann::ordered_json;
 
 Json as_json(const MadeWith& made_with) {
   return {{"size", fmt::format("{}x{}", made_with.width, made_with.height)},
-          {"frames", fmt::format("{}:{}", made_with.first_frame, made_with.end_frame < 0 ? "" : std::to_string(made_with.end_frame))},
+          {"frames", fmt::format("{}:{}", made_with.first_frame,
+                                 made_with.end_frame < 0 ? "" : std::to_string(made_with.end_frame))},
           {"set", made_with.overrides}};
 }
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
 
 // Seven digits draw any chart; the trajectory command gives all of them.
 void append_short(std::string& out, double value) {

@@ -26,7 +26,9 @@ int end_frame(const FilmOrder& order, const Scene& scene) {
   return order.made_with.end_frame < 0 ? scene.clip.frames : order.made_with.end_frame;
 }
 
-bool is_still(const Scene& scene) { return scene.clip.frames == 1; }
+bool is_still(const Scene& scene) {
+  return scene.clip.frames == 1;
+}
 
 // Newest change of a file, or of anything in a folder.
 fs::file_time_type newest(const fs::path& path) {
@@ -44,7 +46,8 @@ Scene load_order(const FilmOrder& order) {
   const int end = end_frame(order, scene);
   if (order.made_with.first_frame < 0 || order.made_with.first_frame >= end || end > scene.clip.frames) {
     throw std::invalid_argument(fmt::format("{}: found frames {}:{}; allowed: A:B with 0 <= A < B <= {}",
-                                            order.script.string(), order.made_with.first_frame, end, scene.clip.frames));
+                                            order.script.string(), order.made_with.first_frame, end,
+                                            scene.clip.frames));
   }
   return scene;
 }
@@ -79,9 +82,9 @@ FilmReceipt shoot(const FilmOrder& order, Renderer& renderer, Progress& progress
   }
   if (film) film->finish();
   write_png(product(order, ".png"), poster);
-  write_film_data(product(order, ".json"),
-                  {scene, trajectory, receipt.verdicts, read_script(order.script),
-                   film ? receipt.product.filename().string() : "", product(order, ".png").filename().string(), made_with});
+  write_film_data(product(order, ".json"), {scene, trajectory, receipt.verdicts, read_script(order.script),
+                                            film ? receipt.product.filename().string() : "",
+                                            product(order, ".png").filename().string(), made_with});
   receipt.bytes = fs::file_size(receipt.product);
   ++progress.films_done;
   return receipt;

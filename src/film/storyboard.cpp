@@ -3,23 +3,22 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "dynamics/shape.h"
+#include "film/overlays.h"
+#include "scene/quantities.h"
 
 namespace bookspin {
 namespace {
 
 constexpr double vertical_fov = 0.5235987755982988;  // 30 degrees, as in the original program
-constexpr double margin = 1.06;                      // free space about the motion
+constexpr double margin = 1.04;                      // free space about the motion
+constexpr double middle_band = 0.88;                 // of the height: above it stands the title, below it the figures
 constexpr double name_offset = 1.16;                 // of a name below its book, in lengths of its half diagonal
-
-// Okabe and Ito's colours, told apart by every kind of colour vision.
-constexpr Color axis_colors[3] = {{230, 159, 0, 255}, {86, 180, 233, 255}, {0, 158, 115, 255}};
-constexpr Color title_color{150, 160, 175, 255};
-constexpr Color name_color{236, 239, 244, 255};
-constexpr Color notice_color{240, 228, 66, 255};
+constexpr double head_up_line = 0.035;               // height of a line of figures; all in frame heights
+constexpr double head_up_column = 0.3;               // from one figure to the next
 
 struct Sphere {
   Eigen::Vector3d center_W;
@@ -36,46 +35,53 @@ Camera camera_that_frames(const std::vector<Sphere>& spheres, const Eigen::Vecto
   const Eigen::Vector3d back_W = from_W.normalized();
   const Eigen::Vector3d right_W = Eigen::Vector3d::UnitY().cross(back_W).normalized();
   const Eigen::Vector3d up_W = back_W.cross(right_W);
-  const double half_height = vertical_fov / 2.0;
-  const double half_width = std::atan(aspect * std::tan(half_height));
+  const double half_height = std::atan(middle_band * std::tan(vertical_fov / 2.0));
+  const double half_width = std::atan(aspect * std::tan(vertical_fov / 2.0));
   double distance = 0.0;
-  for (const Sphere& s : spheres) {
-    const Eigen::Vector3d p_W = s.center_W - camera.target_W;
-    for (const auto& [side_W, half] : {std::pair{right_W, half_width}, std::pair{Eigen::Vector3d(-right_W), half_width},
-                                       std::pair{up_W, half_height}, std::pair{Eigen::Vector3d(-up_W), half_height}}) {
-      const Eigen::Vector3d outward_W = std::cos(half) * side_W + std::sin(half) * back_W;
-      distance = std::max(distance, (outward_W.dot(p_W) + margin * s.radius) / std::sin(half));
-    }
+  for (const auto& [axis_W, half] : {std::pair{right_W, half_width}, std::pair{up_W, half_height}}) {
+    // How far the spheres reach towards the two side planes that face along +-axis, were the eye at the target.
+    const auto reach = [&](double sign) {
+      double farthest = -std::numeric_limits<double>::infinity();
+      for (const Sphere& s : spheres) {
+        const Eigen::Vector3d outward_W = sign * std::cos(half) * axis_W + std::sin(half) * back_W;
+        farthest = std::max(farthest, outward_W.dot(s.center_W - camera.target_W) + margin * s.radius);
+      }
+      return farthest;
+    };
+    const double plus = reach(1.0);
+    const double minus = reach(-1.0);
+    camera.target_W += axis_W * ((plus - minus) / (2.0 * std::cos(half)));  // as much room on one side as on the other
+    distance = std::max(distance, (plus + minus) / (2.0 * std::sin(half)));
   }
   camera.eye_W = camera.target_W + distance * back_W;
   return camera;
 }
 
-Label label(const std::string& text, double height, const Color& color, const Eigen::Vector2d& position,
-            Align align = Align::center) {
-  Label result;
-  result.text = text;
-  result.position = position;
-  result.height = height;
-  result.color = color;
-  result.align = align;
-  return result;
+double half_diagonal(const BookSetup& setup) {
+  return 0.5 * setup.options.size.norm();
 }
 
-double half_diagonal(const BookSetup& setup) { return 0.5 * setup.options.size.norm(); }
+Eigen::Vector3d name_anchor_W(const BookSetup& setup) {
+  return setup.position_W - Eigen::Vector3d(0.0, name_offset * half_diagonal(setup), 0.0);
+}
 
 }  // namespace
 
 Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, double aspect)
-    : scene_(&scene), trajectory_(&trajectory) {
+    : scene_(&scene), trajectory_(&trajectory), aspect_(aspect) {
   std::vector<Sphere> spheres;
   for (std::size_t b = 0; b < scene.books.size(); ++b) {
     const BookSetup& setup = scene.books[b];
-    double farthest = setup.show_axes ? 1.75 : 1.0;  // the axes reach beyond the book
+    const double unit = half_diagonal(setup);
+    double farthest = 1.0;
     for (int n = 0; n < scene.clip.frames; ++n) farthest = std::max(farthest, trajectory.books[b].shown(n).extent);
-    spheres.push_back({setup.position_W, farthest * half_diagonal(setup)});
-    if (!setup.name.empty()) {
-      spheres.push_back({setup.position_W - Eigen::Vector3d(0.0, name_offset * farthest * half_diagonal(setup), 0.0), 0.0});
+    spheres.push_back({setup.position_W, std::max(farthest * unit, overlay_reach(setup))});
+    if (!setup.name.empty()) spheres.push_back({name_anchor_W(setup), 0.1 * unit});
+    if (!setup.show.axes) continue;
+    for (int n = 0; n < scene.clip.frames; ++n) {
+      Shot shot;
+      add_overlays(shot, setup, trajectory.books[b], n);
+      for (const Label& label : shot.labels) spheres.push_back({*label.anchor_W, 0.12 * unit});
     }
   }
   camera_ = camera_that_frames(spheres, scene.view.from, aspect);
@@ -84,7 +90,7 @@ Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, double 
 Shot Storyboard::shot(int frame) const {
   Shot shot;
   shot.camera = camera_;
-  shot.labels.push_back(label(scene_->title, 0.04, title_color, {0.03, 0.07}, Align::left));
+  shot.labels.push_back(make_label(scene_->title, 0.04, palette::grey, {0.03, 0.07}, Align::left));
   std::string notice;
   for (std::size_t b = 0; b < scene_->books.size(); ++b) {
     const BookSetup& setup = scene_->books[b];
@@ -92,35 +98,53 @@ Shot Storyboard::shot(int frame) const {
     const BookFrame& now = track.shown(frame);
     shot.books.push_back({now.corners_W.colwise() + setup.position_W,
                           setup.style == Style::ghost ? BookStyle::ghost : BookStyle::solid});
-    if (setup.show_axes) add_axes(shot, setup, now);
+    add_overlays(shot, setup, track, frame);
     if (!setup.name.empty()) {
-      Label name = label(setup.name, 0.042, name_color, {0.0, 0.0});
-      name.anchor_W = setup.position_W - Eigen::Vector3d(0.0, name_offset * half_diagonal(setup), 0.0);
+      Label name = make_label(setup.name, 0.042, palette::light, {0.0, 0.0});
+      name.anchor_W = name_anchor_W(setup);
       shot.labels.push_back(name);
     }
     if (track.exploded_frame && frame >= *track.exploded_frame) {
-      notice += fmt::format("{}{}exploded at t = {:.4g}", notice.empty() ? "" : "   ",
-                            setup.name.empty() ? "" : setup.name + " ", *track.exploded_frame * scene_->clip.time_per_frame);
+      notice +=
+          fmt::format("{}{}exploded at t = {:.4g}", notice.empty() ? "" : "   ",
+                      setup.name.empty() ? "" : setup.name + " ", *track.exploded_frame * scene_->clip.time_per_frame);
     }
   }
   if (!notice.empty()) {
-    shot.labels.push_back(label(notice + ": the last frame before", 0.045, notice_color, {0.5, 0.94}));
+    shot.labels.push_back(make_label(notice, 0.04, palette::yellow, {0.03, 0.13}, Align::left));
   }
+  add_head_up(shot, frame);
   return shot;
 }
 
-void Storyboard::add_axes(Shot& shot, const BookSetup& setup, const BookFrame& now) const {
-  const Eigen::Matrix3d F_WB = deformation(now.corners_W, corners_at_rest(setup.options.size));
-  const double reach = 0.55 * half_diagonal(setup);
-  constexpr std::array names{"x", "y", "z"};
-  for (int d = 0; d < 3; ++d) {
-    const Eigen::Vector3d surface_W = F_WB.col(d) * (0.5 * setup.options.size(d));
-    const Eigen::Vector3d tip_W = surface_W + F_WB.col(d).normalized() * reach;
-    shot.arrows.push_back({setup.position_W - surface_W, setup.position_W + tip_W, axis_colors[d], 0.022 * half_diagonal(setup)});
-    Label name = label(names[static_cast<std::size_t>(d)], 0.07, axis_colors[d], {0.0, 0.02});
-    name.weight = Weight::semibold;
-    name.anchor_W = setup.position_W + tip_W + F_WB.col(d).normalized() * (0.14 * half_diagonal(setup));
-    shot.labels.push_back(name);
+// The time, and the figures that the script names: in one line for one book, below each book's name for several.
+void Storyboard::add_head_up(Shot& shot, int frame) const {
+  const std::vector<const Quantity*>& quantities = scene_->view.head_up;
+  if (quantities.empty()) return;
+  const auto add = [&shot](const std::string& text, const Eigen::Vector2d& position, Align align) -> Label& {
+    shot.labels.push_back(make_label(text, head_up_line, palette::light, position, align));
+    shot.labels.back().tabular = true;
+    return shot.labels.back();
+  };
+  double x = 0.03;
+  add(fmt::format("t {:.1f}", frame * scene_->clip.time_per_frame), {x, 0.95}, Align::left);
+  const bool one = std::count_if(scene_->books.begin(), scene_->books.end(),
+                                 [](const BookSetup& book) { return book.style == Style::solid; }) <= 1;
+  for (std::size_t b = 0; b < scene_->books.size(); ++b) {
+    const BookSetup& setup = scene_->books[b];
+    if (setup.style == Style::ghost && scene_->books.size() > 1) continue;
+    const BookFrame& now = trajectory_->books[b].shown(frame);
+    double y = 0.05;
+    for (const Quantity* quantity : quantities) {
+      const std::string text = head_up_text(*quantity, now);
+      if (one) {
+        x += head_up_column / aspect_;
+        add(text, {x, 0.95}, Align::left);
+      } else {
+        add(text, {0.0, y}, Align::center).anchor_W = name_anchor_W(setup);
+        y += 0.05;
+      }
+    }
   }
 }
 

@@ -1,8 +1,9 @@
-// Scene + Trajectory -> what each frame shows: title, camera, books, names, and the notice that a book has exploded.
+// Scene + Trajectory -> what each frame shows: title, camera, books, names and figures, and the notice
+// that a book has exploded. Overlays (film/overlays.h) are drawn where the script asks for them.
 //
-// The camera stands still. It looks from the scene's direction at the middle of the books, from the distance at which the
-// whole motion of every book stays in view: the sphere about each book that its farthest corner touches in any frame shown.
-// A book that has exploded is held at the frame before.
+// The camera stands still. It looks from the scene's direction at the middle of the books, from the distance at which
+// the whole motion of every book stays in view: the sphere about each book that its farthest corner touches in any
+// frame shown. A book that has exploded is held at the frame before.
 #pragma once
 
 #include "render/shot.h"
@@ -19,10 +20,11 @@ class Storyboard {
   [[nodiscard]] Shot shot(int frame) const;  // frame: 0 ... scene.clip.frames - 1
 
  private:
-  void add_axes(Shot& shot, const BookSetup& setup, const BookFrame& now) const;
+  void add_head_up(Shot& shot, int frame) const;
 
   const Scene* scene_;
   const Trajectory* trajectory_;
+  double aspect_;
   Camera camera_;
 };
 

@@ -28,7 +28,8 @@ ImageDelta compare(const Image& a, const Image& b, int threshold) {
     sum += static_cast<std::size_t>(delta);
     above += delta > threshold ? 1 : 0;
   }
-  const auto pixels = static_cast<double>(a.rgba.size() / 4);
+  const std::size_t pixel_count = a.rgba.size() / 4;
+  const auto pixels = static_cast<double>(pixel_count);
   result.mean_delta = static_cast<double>(sum) / pixels;
   result.share_above = static_cast<double>(above) / pixels;
   return result;

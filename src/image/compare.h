@@ -8,10 +8,10 @@
 namespace bookspin {
 
 struct ImageDelta {
-  bool same_size = false;      // if not, nothing below is meaningful
-  int max_delta = 0;           // largest delta of a pixel, 0 ... 255
-  double mean_delta = 0;       // mean delta of a pixel
-  double share_above = 0;      // share of pixels whose delta exceeds the threshold, 0 ... 1
+  bool same_size = false;  // if not, nothing below is meaningful
+  int max_delta = 0;       // largest delta of a pixel, 0 ... 255
+  double mean_delta = 0;   // mean delta of a pixel
+  double share_above = 0;  // share of pixels whose delta exceeds the threshold, 0 ... 1
 };
 
 ImageDelta compare(const Image& a, const Image& b, int threshold);

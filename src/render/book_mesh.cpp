@@ -8,18 +8,32 @@ namespace bookspin {
 namespace {
 
 constexpr double width = 1.878, height = 2.9085, thickness = 0.5;
-constexpr double overhang_x = 0.05 / width;       // boards stand out over the pages
+constexpr double overhang_x = 0.05 / width;  // boards stand out over the pages
 constexpr double overhang_y = 0.05 / height;
-constexpr double board = 0.042 / thickness;       // thickness of a board
-constexpr double shell = 0.030 / width;           // thickness of the spine
-constexpr double bulge = 0.105 / width;           // depth of the spine's round
-constexpr double groove_width = 0.085 / width;    // the hinge beside the spine
+constexpr double board = 0.042 / thickness;     // thickness of a board
+constexpr double shell = 0.030 / width;         // thickness of the spine
+constexpr double bulge = 0.105 / width;         // depth of the spine's round
+constexpr double groove_width = 0.085 / width;  // the hinge beside the spine
 constexpr double groove_depth = 0.020 / thickness;
 constexpr double fore_edge_hollow = 0.045 / width;
-constexpr int rows = 4;  // divisions along v: each triangle costs over a microsecond a frame
-constexpr int spine_steps = 8;
-constexpr int groove_steps = 4;
-constexpr int cover_steps = 3;
+
+struct Divisions {
+  int rows;        // along v
+  int cover;       // along u, beside the groove
+  int spine;       // round the spine
+  int groove = 4;  // across the groove
+  int across;      // through the pages, from cover to cover
+  int along;       // along u, on the pages' top and bottom
+  int inside;      // of the boards' and the spine's insides
+
+  explicit Divisions(int fineness)
+      : rows(4 * fineness),
+        cover(3 * fineness),
+        spine(4 + 4 * fineness),
+        across(4 + 2 * fineness),
+        along(4 * fineness),
+        inside(fineness) {}
+};
 
 struct Point {
   double u, w;
@@ -38,7 +52,8 @@ struct Vertex {
 
 class Builder {
  public:
-  // A grid of columns x rows vertices; position (column, row) -> vertex. Columns run right and rows up seen from outside.
+  // A grid of columns x rows vertices; position (column, row) -> vertex. Columns run right and rows up seen from
+  // outside.
   void grid(BookPart part, int columns, int row_count, const std::function<Vertex(int, int)>& vertex) {
     const std::size_t first = mesh.vertices.size();
     for (int row = 0; row < row_count; ++row) {
@@ -66,26 +81,28 @@ class Builder {
     grid(part, static_cast<int>(profile.points.size()), row_count + 1, [&](int column, int row) {
       const auto i = static_cast<std::size_t>(column);
       const double v = v0 + (v1 - v0) * row / row_count;
-      return Vertex{profile.points[i].u,  v, profile.points[i].w,      profile.normals[i].u, 0,
-                    profile.normals[i].w, profile.texture[i], 1 - v, shade};
+      return Vertex{profile.points[i].u,  v,     profile.points[i].w,
+                    profile.normals[i].u, 0,     profile.normals[i].w,
+                    profile.texture[i],   1 - v, shade};
     });
   }
 
   BookMesh mesh;
 };
 
-// The front cover's outside from the spine to the fore-edge: the hinge's groove, then flat.
-Profile front_outside() {
+// The front cover's outside from the spine to the fore-edge: the hinge's groove, then flat. The groove is in the
+// normals alone: so shallow, it is seen by its shading, and the hull stays convex.
+Profile front_outside(const Divisions& n) {
   Profile profile;
-  for (int i = 0; i <= groove_steps; ++i) {
-    const double phase = 2 * std::numbers::pi * i / groove_steps;
+  for (int i = 0; i <= n.groove; ++i) {
+    const double phase = 2 * std::numbers::pi * i / n.groove;
     const double slope = groove_depth * std::numbers::pi / groove_width * std::sin(phase);  // -dw/du
-    profile.points.push_back({bulge + groove_width * i / groove_steps, 1 - groove_depth * (1 - std::cos(phase)) / 2});
+    profile.points.push_back({bulge + groove_width * i / n.groove, 1});
     profile.normals.push_back({slope, 1});
   }
   const double start = bulge + groove_width;
-  for (int i = 1; i <= cover_steps; ++i) {
-    profile.points.push_back({start + (1 - start) * i / cover_steps, 1});
+  for (int i = 1; i <= n.cover; ++i) {
+    profile.points.push_back({start + (1 - start) * i / n.cover, 1});
     profile.normals.push_back({0, 1});
   }
   for (const Point& p : profile.points) profile.texture.push_back((p.u - bulge) / (1 - bulge));
@@ -93,8 +110,8 @@ Profile front_outside() {
 }
 
 // The same on the back, from the fore-edge to the spine.
-Profile back_outside() {
-  const Profile front = front_outside();
+Profile back_outside(const Divisions& n) {
+  const Profile front = front_outside(n);
   Profile profile;
   for (std::size_t i = front.points.size(); i-- > 0;) {
     profile.points.push_back({front.points[i].u, 1 - front.points[i].w});
@@ -105,14 +122,14 @@ Profile back_outside() {
 }
 
 // Half an ellipse from the back cover round to the front cover; inset > 0 is the inside of the spine.
-Profile spine(double inset_u, double inset_w) {
+Profile spine(const Divisions& n, double inset_u, double inset_w) {
   Profile profile;
   const double depth = bulge - inset_u, half = 0.5 - inset_w;
-  for (int i = 0; i <= spine_steps; ++i) {
-    const double angle = std::numbers::pi * (static_cast<double>(i) / spine_steps - 0.5);
+  for (int i = 0; i <= n.spine; ++i) {
+    const double angle = std::numbers::pi * (static_cast<double>(i) / n.spine - 0.5);
     profile.points.push_back({bulge - depth * std::cos(angle), 0.5 + half * std::sin(angle)});
     profile.normals.push_back({-half * std::cos(angle), depth * std::sin(angle)});
-    profile.texture.push_back(static_cast<double>(i) / spine_steps);
+    profile.texture.push_back(static_cast<double>(i) / n.spine);
   }
   return profile;
 }
@@ -129,10 +146,10 @@ void add_rims(Builder& builder, BookPart part, const Profile& outside, const std
   }
 }
 
-void add_boards(Builder& builder) {
-  const Profile front = front_outside(), back = back_outside();
-  builder.extrude(BookPart::front, front, 0, 1, rows);
-  builder.extrude(BookPart::back, back, 0, 1, rows);
+void add_boards(Builder& builder, const Divisions& n) {
+  const Profile front = front_outside(n), back = back_outside(n);
+  builder.extrude(BookPart::front, front, 0, 1, n.rows);
+  builder.extrude(BookPart::back, back, 0, 1, n.rows);
   for (const bool is_front : {true, false}) {
     const BookPart part = is_front ? BookPart::front : BookPart::back;
     const Profile& outside = is_front ? front : back;
@@ -143,56 +160,63 @@ void add_boards(Builder& builder) {
     add_rims(builder, part, outside, inside);
 
     const double s = is_front ? 0.996 : 0.004;
-    builder.grid(part, 2, rows + 1, [&](int column, int row) {  // the fore-edge of the board
-      const double v = static_cast<double>(row) / rows;
+    builder.grid(part, 2, n.rows + 1, [&](int column, int row) {  // the fore-edge of the board
+      const double v = static_cast<double>(row) / n.rows;
       const double w = (column == 0) == is_front ? outer_w : inner_w;
       return Vertex{1, v, w, 1, 0, 0, s, 1 - v, 0.9};
-    });
-    // The inside of the board, seen only where it stands out over the pages: in their shade.
-    const double nw = is_front ? -1 : 1;
-    builder.grid(part, 2, rows + 1, [&](int column, int row) {
-      const double v = static_cast<double>(row) / rows;
-      const double u = (column == 0) == is_front ? 1.0 : bulge;
-      return Vertex{u, v, inner_w, 0, 0, nw, s, 1 - v, 0.55};
     });
   }
 }
 
-void add_spine(Builder& builder) {
-  const Profile outside = spine(0, 0);
-  const Profile inside = spine(shell, board);
-  builder.extrude(BookPart::spine, outside, 0, 1, rows);
-  add_rims(builder, BookPart::spine, outside, inside.points);
+// The insides of the boards and the spine, lined with paper, seen only where they stand out over the pages: in the
+// shade.
+void add_insides(Builder& builder, const Divisions& n) {
+  for (const bool is_front : {true, false}) {
+    const double w = is_front ? 1 - board : board;
+    const double nw = is_front ? -1 : 1;
+    builder.grid(BookPart::pages, n.inside + 1, n.rows + 1, [&](int column, int row) {
+      const double from_fore_edge = static_cast<double>(is_front ? column : n.inside - column) / n.inside;
+      const double u = 1 - from_fore_edge * (1 - bulge);
+      return Vertex{u, static_cast<double>(row) / n.rows, w, 0, 0, nw, 0.5, 0.5, 0.16};
+    });
+  }
+  const Profile inside = spine(n, shell, board);
   Profile facing_in;
   for (std::size_t i = inside.points.size(); i-- > 0;) {
     facing_in.points.push_back(inside.points[i]);
     facing_in.normals.push_back({-inside.normals[i].u, -inside.normals[i].w});
-    facing_in.texture.push_back(inside.texture[i]);
+    facing_in.texture.push_back(0.5);
   }
-  builder.extrude(BookPart::spine, facing_in, 0, 1, rows, 0.45);
+  builder.extrude(BookPart::pages, facing_in, 0, 1, n.inside, 0.14);
 }
 
-// The pages end a little inside the boards; towards the spine they follow its round. Texture s runs along the edge, t across the
-// leaves, so that the lines of the paper lie in the plane of the covers.
-void add_pages(Builder& builder) {
-  constexpr int across = 6;
+void add_spine(Builder& builder, const Divisions& n) {
+  const Profile outside = spine(n, 0, 0);
+  const Profile inside = spine(n, shell, board);
+  builder.extrude(BookPart::spine, outside, 0, 1, n.rows);
+  add_rims(builder, BookPart::spine, outside, inside.points);
+}
+
+// The pages end a little inside the boards; towards the spine they follow its round. Texture s runs along the edge, t
+// across the leaves, so that the lines of the paper lie in the plane of the covers.
+void add_pages(Builder& builder, const Divisions& n) {
   const double v0 = overhang_y, v1 = 1 - overhang_y, end = 1 - overhang_x;
-  const auto w_at = [](int i) { return board + (1 - 2 * board) * i / across; };
+  const auto w_at = [&](int i) { return board + (1 - 2 * board) * i / n.across; };
   const auto hollow = [&](double w) { return fore_edge_hollow * std::sqrt(1 - std::pow(2 * w - 1, 2)); };
-  builder.grid(BookPart::pages, across + 1, rows + 1, [&](int column, int row) {  // fore-edge, seen from +x: right is -w
-    const double w = w_at(across - column);
-    const double v = v0 + (v1 - v0) * row / rows;
-    const double tilt = fore_edge_hollow * 2 * (2 * w - 1) / std::sqrt(1 - std::pow(2 * w - 1, 2));
-    return Vertex{end - hollow(w), v, w, 1, 0, -tilt, v, w, 1};
-  });
+  builder.grid(BookPart::pages, n.across + 1, n.rows + 1,
+               [&](int column, int row) {  // fore-edge, seen from +x: right is -w
+                 const double w = w_at(n.across - column);
+                 const double v = v0 + (v1 - v0) * row / n.rows;
+                 const double tilt = fore_edge_hollow * 2 * (2 * w - 1) / std::sqrt(1 - std::pow(2 * w - 1, 2));
+                 return Vertex{end - hollow(w), v, w, 1, 0, -tilt, v, w, 1};
+               });
   const double round = bulge - shell;
   for (const bool top : {true, false}) {
-    constexpr int along = 4;
-    builder.grid(BookPart::pages, along + 1, across + 1, [&](int column, int row) {
-      const double w = w_at(top ? across - row : row);
+    builder.grid(BookPart::pages, n.along + 1, n.across + 1, [&](int column, int row) {
+      const double w = w_at(top ? n.across - row : row);
       const double span = std::sqrt(std::max(0.0, 1 - std::pow((w - 0.5) / (0.5 - board), 2)));
       const double start = bulge - round * span;
-      const double u = start + (end - hollow(w) - start) * column / along;
+      const double u = start + (end - hollow(w) - start) * column / n.along;
       return Vertex{u, top ? v1 : v0, w, 0, top ? 1.0 : -1.0, 0, u, w, 1};
     });
   }
@@ -200,11 +224,13 @@ void add_pages(Builder& builder) {
 
 }  // namespace
 
-BookMesh hardcover() {
+BookMesh hardcover(int fineness) {
+  const Divisions n(fineness);
   Builder builder;
-  add_boards(builder);
-  add_spine(builder);
-  add_pages(builder);
+  add_insides(builder, n);
+  add_pages(builder, n);
+  add_boards(builder, n);
+  add_spine(builder, n);
   return std::move(builder.mesh);
 }
 
@@ -212,24 +238,18 @@ BookMesh cuboid() {
   constexpr int n = 4;
   Builder builder;
   const auto at = [](int i) { return static_cast<double>(i) / n; };
-  builder.grid(BookPart::front, n + 1, n + 1, [&](int c, int r) {
-    return Vertex{at(c), at(r), 1, 0, 0, 1, at(c), 1 - at(r)};
-  });
-  builder.grid(BookPart::back, n + 1, n + 1, [&](int c, int r) {
-    return Vertex{1 - at(c), at(r), 0, 0, 0, -1, at(c), 1 - at(r)};
-  });
-  builder.grid(BookPart::spine, n + 1, n + 1, [&](int c, int r) {
-    return Vertex{0, at(r), at(c), -1, 0, 0, at(c), 1 - at(r)};
-  });
-  builder.grid(BookPart::pages, n + 1, n + 1, [&](int c, int r) {
-    return Vertex{1, at(r), 1 - at(c), 1, 0, 0, at(r), 1 - at(c)};
-  });
-  builder.grid(BookPart::pages, n + 1, n + 1, [&](int c, int r) {
-    return Vertex{at(c), 1, 1 - at(r), 0, 1, 0, at(c), 1 - at(r)};
-  });
-  builder.grid(BookPart::pages, n + 1, n + 1, [&](int c, int r) {
-    return Vertex{at(c), 0, at(r), 0, -1, 0, at(c), at(r)};
-  });
+  builder.grid(BookPart::front, n + 1, n + 1,
+               [&](int c, int r) { return Vertex{at(c), at(r), 1, 0, 0, 1, at(c), 1 - at(r)}; });
+  builder.grid(BookPart::back, n + 1, n + 1,
+               [&](int c, int r) { return Vertex{1 - at(c), at(r), 0, 0, 0, -1, at(c), 1 - at(r)}; });
+  builder.grid(BookPart::spine, n + 1, n + 1,
+               [&](int c, int r) { return Vertex{0, at(r), at(c), -1, 0, 0, at(c), 1 - at(r)}; });
+  builder.grid(BookPart::pages, n + 1, n + 1,
+               [&](int c, int r) { return Vertex{1, at(r), 1 - at(c), 1, 0, 0, at(r), 1 - at(c)}; });
+  builder.grid(BookPart::pages, n + 1, n + 1,
+               [&](int c, int r) { return Vertex{at(c), 1, 1 - at(r), 0, 1, 0, at(c), 1 - at(r)}; });
+  builder.grid(BookPart::pages, n + 1, n + 1,
+               [&](int c, int r) { return Vertex{at(c), 0, at(r), 0, -1, 0, at(c), at(r)}; });
   return std::move(builder.mesh);
 }
 

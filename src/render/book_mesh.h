@@ -1,8 +1,10 @@
 // The hardcover in the unit cube: what the trilinear map of the eight corners carries into the world.
 //
-// Unit coordinates (u, v, w) run along body x, y, z: the spine lies at u = 0, the front cover at w = 1, the top at v = 1. The
-// proportions of boards, overhang and rounding are those of a book of 1.878 x 2.9085 x 0.5. Faces are divided finely enough
-// for a sheared or twisted book to bend smoothly. Triangles wind anticlockwise seen from outside.
+// Unit coordinates (u, v, w) run along body x, y, z: the spine lies at u = 0, the front cover at w = 1, the top at v
+// = 1. The proportions of boards, overhang and rounding are those of a book of 1.878 x 2.9085 x 0.5. Faces are divided
+// finely enough for a sheared or twisted book to bend smoothly. Triangles wind anticlockwise seen from outside. Order:
+// the boards' insides, the pages, then what lies on the book's convex hull. No face hides one that comes after it, so
+// front faces drawn in this order need no depth buffer (as long as the map is nearly affine: see books.cpp).
 #pragma once
 
 #include <array>
@@ -11,7 +13,7 @@
 
 namespace bookspin {
 
-enum class BookPart { front, back, spine, pages };
+enum class BookPart { pages, front, back, spine };  // by texture, in the order of drawing
 constexpr std::size_t book_part_count = 4;
 
 struct BookVertex {
@@ -26,7 +28,8 @@ struct BookMesh {
   std::array<std::vector<std::uint16_t>, book_part_count> triangles;  // vertex indices, three a triangle, by part
 };
 
-BookMesh hardcover();
+// fineness 1 does for a book that is hardly bent, as each triangle costs over a microsecond a frame.
+BookMesh hardcover(int fineness);
 BookMesh cuboid();  // the same faces, flat and at full size: what a ghost is made of
 
 }  // namespace bookspin

@@ -14,8 +14,8 @@ namespace {
 constexpr Color ghost_tint{190, 228, 255, 255};
 constexpr float ghost_opacity = 0.40F;
 
-// Mipmapped and trilinear. The smaller pictures are averaged in linear light, by a texture that OpenGL knows to be sRGB; the one
-// that is drawn holds the same bytes as plain numbers (see book.frag).
+// Mipmapped and trilinear. The smaller pictures are averaged in linear light, by a texture that OpenGL knows to be
+// sRGB; the one that is drawn holds the same bytes as plain numbers (see book.frag).
 Handle upload_texture(const GladGLContext& gl, const std::filesystem::path& file) {
   const Image image = read_png(file);
   const Handle averaged = make_texture(gl);
@@ -43,8 +43,8 @@ Handle upload_texture(const GladGLContext& gl, const std::filesystem::path& file
   return texture;
 }
 
-// The winding seen on the screen holds only where the map keeps its orientation: everywhere, if it does so at the corners of a book
-// that is not badly bent. Otherwise depth alone decides what is seen.
+// The winding seen on the screen holds only where the map keeps its orientation: everywhere, if it does so at the
+// corners of a book that is not badly bent. Otherwise depth alone decides what is seen.
 bool keeps_orientation(const Corners& corners) {
   for (int i = 0; i < 8; ++i) {
     Eigen::Matrix3d derivative;
@@ -59,15 +59,28 @@ bool keeps_orientation(const Corners& corners) {
 
 }  // namespace
 
+bool is_unbent(const Corners& corners) {
+  constexpr double allowed = 0.03;  // of the longest edge
+  Eigen::Matrix3d edges;
+  for (int d = 0; d < 3; ++d) edges.col(d) = corners.col(1 << d) - corners.col(0);
+  double bend = 0;
+  for (const int i : {3, 5, 6, 7}) {
+    const Eigen::Vector3d affine = corners.col(0) + edges * Eigen::Vector3d(i & 1, (i >> 1) & 1, (i >> 2) & 1);
+    bend = std::max(bend, (corners.col(i) - affine).norm());
+  }
+  return bend <= allowed * edges.colwise().norm().maxCoeff() && keeps_orientation(corners);
+}
+
 BookPainter::BookPainter(const GladGLContext& gl, const std::filesystem::path& assets)
     : gl_(&gl),
       solid_(gl, assets / "shaders" / "book.vert", assets / "shaders" / "book.frag"),
       ghost_(gl, assets / "shaders" / "book.vert", assets / "shaders" / "ghost.frag"),
       solid_uniforms_(find_uniforms(solid_)),
       ghost_uniforms_(find_uniforms(ghost_)),
-      hardcover_(upload(gl, hardcover())),
+      hardcover_(upload(gl, hardcover(1))),
+      fine_hardcover_(upload(gl, hardcover(4))),
       cuboid_(upload(gl, cuboid())) {
-  const std::array<const char*, book_part_count> names{"front.png", "back.png", "spine.png", "pages.png"};
+  const std::array<const char*, book_part_count> names{"pages.png", "front.png", "back.png", "spine.png"};
   for (std::size_t i = 0; i < book_part_count; ++i) {
     textures_[i] = upload_texture(gl, assets / "textures" / names[i]);
   }
@@ -89,7 +102,7 @@ BookPainter::Mesh BookPainter::upload(const GladGLContext& gl, const BookMesh& m
                 mesh.vertices.data(), GL_STATIC_DRAW);
   const auto attribute = [&](GLuint location, GLint size, std::size_t offset) {
     gl.EnableVertexAttribArray(location);
-    gl.VertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, sizeof(BookVertex), reinterpret_cast<const void*>(offset));
+    gl.VertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, sizeof(BookVertex), buffer_offset(offset));
   };
   attribute(0, 3, offsetof(BookVertex, position));
   attribute(1, 3, offsetof(BookVertex, normal));
@@ -98,25 +111,28 @@ BookPainter::Mesh BookPainter::upload(const GladGLContext& gl, const BookMesh& m
 
   std::vector<std::uint16_t> indices;
   for (std::size_t i = 0; i < book_part_count; ++i) {
-    result.parts[i] = {static_cast<GLsizei>(mesh.triangles[i].size()),
-                       static_cast<GLintptr>(indices.size() * sizeof(std::uint16_t))};
+    result.parts[i] = {static_cast<GLsizei>(mesh.triangles[i].size()), indices.size() * sizeof(std::uint16_t)};
     indices.insert(indices.end(), mesh.triangles[i].begin(), mesh.triangles[i].end());
   }
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, result.indices.id());
-  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint16_t)), indices.data(),
-                GL_STATIC_DRAW);
+  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint16_t)),
+                indices.data(), GL_STATIC_DRAW);
   return result;
 }
 
-void BookPainter::draw_solid(const View& view, const Corners& corners_W) {
+void BookPainter::draw_solid(const View& view, const Corners& corners_W, bool with_depth) {
   solid_.use();
-  gl_->Enable(GL_DEPTH_TEST);
-  draw(view, corners_W, hardcover_, solid_uniforms_);
+  if (with_depth) {
+    gl_->Enable(GL_DEPTH_TEST);
+  } else {
+    gl_->Disable(GL_DEPTH_TEST);
+  }
+  draw(view, corners_W, is_unbent(corners_W) ? hardcover_ : fine_hardcover_, solid_uniforms_);
 }
 
 void BookPainter::draw_ghost(const View& view, const Corners& corners_W) {
-  // A cuboid's front faces never hide one another, so culling gives a single layer without looking at depth, and a ghost that
-  // coincides with its solid book does not fight with it.
+  // A cuboid's front faces never hide one another, so culling gives a single layer without looking at depth, and a
+  // ghost that coincides with its solid book does not fight with it.
   ghost_.use();
   gl_->Disable(GL_DEPTH_TEST);
   gl_->Enable(GL_BLEND);
@@ -140,8 +156,7 @@ void BookPainter::draw(const View& view, const Corners& corners_W, const Mesh& m
   gl_->BindVertexArray(mesh.vertex_array.id());
   for (std::size_t i = 0; i < book_part_count; ++i) {
     gl_->BindTexture(GL_TEXTURE_2D, textures_[i].id());
-    gl_->DrawElements(GL_TRIANGLES, mesh.parts[i].indices, GL_UNSIGNED_SHORT,
-                      reinterpret_cast<const void*>(mesh.parts[i].first_byte));
+    gl_->DrawElements(GL_TRIANGLES, mesh.parts[i].indices, GL_UNSIGNED_SHORT, buffer_offset(mesh.parts[i].first_byte));
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <filesystem>
 
 #include "dynamics/corners.h"
@@ -15,17 +16,23 @@
 
 namespace bookspin {
 
+// Whether the map of the corners is so nearly affine, and keeps its orientation, that the book looks convex from
+// everywhere.
+bool is_unbent(const Corners& corners);
+
 class BookPainter {
  public:
   BookPainter(const GladGLContext& gl, const std::filesystem::path& assets);
 
-  void draw_solid(const View& view, const Corners& corners_W);
-  void draw_ghost(const View& view, const Corners& corners_W);  // one translucent layer over what is there, whatever its depth
+  // Without depth the book is drawn over what is there; that is right for a book that is not bent (see is_unbent).
+  void draw_solid(const View& view, const Corners& corners_W, bool with_depth);
+  void draw_ghost(const View& view,
+                  const Corners& corners_W);  // one translucent layer over what is there, whatever its depth
 
  private:
   struct Part {
     GLsizei indices;
-    GLintptr first_byte;
+    std::size_t first_byte;
   };
   struct Mesh {
     Handle vertex_array, vertices, indices;
@@ -42,7 +49,7 @@ class BookPainter {
   const GladGLContext* gl_;
   Program solid_, ghost_;
   Uniforms solid_uniforms_, ghost_uniforms_;
-  Mesh hardcover_, cuboid_;
+  Mesh hardcover_, fine_hardcover_, cuboid_;  // the fine one for bent books
   std::array<Handle, book_part_count> textures_;
 };
 

@@ -1,8 +1,8 @@
 // Where the camera sees what.
 //
-// Pixels: x right, y down, (0, 0) the top left corner of the top left pixel. Depth is the distance from the eye along the view.
-// The clip coordinates are OpenGL's with y downwards, so that the frame buffer's first row is the picture's top row; the
-// far plane lies at infinity, the near plane at near_share of the distance from eye to target.
+// Pixels: x right, y down, (0, 0) the top left corner of the top left pixel. Depth is the distance from the eye along
+// the view. The clip coordinates are OpenGL's with y downwards, so that the frame buffer's first row is the picture's
+// top row; the far plane lies at infinity, the near plane at near_share of the distance from eye to target.
 // Preconditions: eye and target differ, the view is not straight up or down, 0 < vertical_fov < pi.
 #pragma once
 
@@ -27,14 +27,16 @@ class View {
   [[nodiscard]] const Eigen::Matrix4d& clip_from_world() const { return clip_from_world_; }
   // The same from the camera frame in units of distance().
   [[nodiscard]] const Eigen::Matrix4d& clip_from_unit_camera() const { return clip_from_unit_camera_; }
-  [[nodiscard]] const Eigen::Matrix3d& R_CW() const { return R_CW_; }  // world to camera: x right, y up, z towards the eye
+  [[nodiscard]] const Eigen::Matrix3d& R_CW() const {
+    return R_CW_;
+  }  // world to camera: x right, y up, z towards the eye
   [[nodiscard]] const Eigen::Vector3d& eye_W() const { return eye_W_; }
   [[nodiscard]] double distance() const { return distance_; }  // eye to target
   [[nodiscard]] double near() const { return near_; }
   [[nodiscard]] bool drawable(const Eigen::Vector3d& point_W) const;
   [[nodiscard]] PixelPoint project(const Eigen::Vector3d& point_W) const;
-  // The smallest rectangle of whole pixels, grown by margin, that holds the convex hull of the points; the whole frame when a
-  // point is not in front of the near plane.
+  // The smallest rectangle of whole pixels, grown by margin, that holds the convex hull of the points; the whole frame
+  // when a point is not in front of the near plane.
   [[nodiscard]] Rect bounds(std::span<const Eigen::Vector3d> points_W, double margin_px) const;
 
  private:

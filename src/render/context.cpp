@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdlib>
 #include <initializer_list>
 #include <mutex>
@@ -44,8 +45,15 @@ class OsmesaContext {
     load_symbol(library, "OSMesaMakeCurrent", make_current_);
     load_symbol(library, "OSMesaDestroyContext", destroy_);
     load_symbol(library, "OSMesaGetProcAddress", load);
-    constexpr std::array attributes{OSMESA_FORMAT,  int{OSMESA_RGBA},           OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                                    OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 3, 0};
+    constexpr std::array attributes{OSMESA_FORMAT,
+                                    int{OSMESA_RGBA},
+                                    OSMESA_PROFILE,
+                                    OSMESA_CORE_PROFILE,
+                                    OSMESA_CONTEXT_MAJOR_VERSION,
+                                    3,
+                                    OSMESA_CONTEXT_MINOR_VERSION,
+                                    3,
+                                    0};
     context_ = create(attributes.data(), nullptr);
     if (context_ == nullptr) throw std::runtime_error("OSMesaCreateContextAttribs: no OpenGL 3.3 core context");
   }
@@ -54,7 +62,8 @@ class OsmesaContext {
   OsmesaContext& operator=(const OsmesaContext&) = delete;
 
   void make_current() {
-    if (make_current_(context_, surface_.data(), GL_UNSIGNED_BYTE, surface_side, surface_side) == GL_FALSE) {
+    if (make_current_(context_, surface_.data(), GL_UNSIGNED_BYTE, GLsizei{surface_side}, GLsizei{surface_side}) ==
+        GL_FALSE) {
       throw std::runtime_error("OSMesaMakeCurrent: failed");
     }
   }
@@ -63,7 +72,7 @@ class OsmesaContext {
   static constexpr const char* name = "OSMesa";
 
  private:
-  static constexpr int surface_side = 16;
+  static constexpr std::size_t surface_side = 16;
   std::array<unsigned char, 4 * surface_side * surface_side> surface_{};
   decltype(&OSMesaMakeCurrent) make_current_ = nullptr;
   decltype(&OSMesaDestroyContext) destroy_ = nullptr;
@@ -94,14 +103,14 @@ class EglContext {
     check(display_ != EGL_NO_DISPLAY, "eglGetPlatformDisplayEXT (surfaceless)");
     check(initialize(display_, nullptr, nullptr), "eglInitialize");
     check(bind_api_(EGL_OPENGL_API), "eglBindAPI");
-    constexpr std::array config_attributes{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE};
+    constexpr std::array config_attributes{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT,
+                                           EGL_NONE};
     EGLConfig config = nullptr;
     EGLint configs = 0;
     check(choose_config(display_, config_attributes.data(), &config, 1, &configs) && configs == 1, "eglChooseConfig");
-    constexpr std::array context_attributes{EGL_CONTEXT_MAJOR_VERSION,       3,
-                                            EGL_CONTEXT_MINOR_VERSION,       3,
-                                            EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                            EGL_NONE};
+    constexpr std::array context_attributes{
+        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     context_ = create(display_, config, EGL_NO_CONTEXT, context_attributes.data());
     check(context_ != EGL_NO_CONTEXT, "eglCreateContext");
   }
@@ -112,9 +121,7 @@ class EglContext {
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;
 
-  void make_current() {
-    check(make_current_(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_), "eglMakeCurrent");
-  }
+  void make_current() { check(make_current_(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_), "eglMakeCurrent"); }
 
   decltype(&eglGetProcAddress) load = nullptr;
   static constexpr const char* name = "EGL";

@@ -1,10 +1,10 @@
 // An off-screen OpenGL 3.3 core context on Mesa's software renderer.
 //
-// The library is found at run time: OSMesa, or EGL without a surface where OSMesa is missing (Mesa dropped it in 25.1). The
-// frames of both are identical. A context is used by the thread that made it; several threads may each have their own.
-// LP_NUM_THREADS=0 and LIBGL_ALWAYS_SOFTWARE=1 are set unless the environment sets them: one thread draws one film, and a
-// graphics card does not make it another film.
-// Throws std::runtime_error with each library's reason when none gives a context.
+// The library is found at run time: OSMesa, or EGL without a surface where OSMesa is missing (Mesa dropped it in 25.1).
+// The frames of both are identical. A context is used by the thread that made it; several threads may each have their
+// own. LP_NUM_THREADS=0 and LIBGL_ALWAYS_SOFTWARE=1 are set unless the environment sets them: one thread draws one
+// film, and a graphics card does not make it another film. Throws std::runtime_error with each library's reason when
+// none gives a context.
 #pragma once
 
 #include <glad/gl.h>

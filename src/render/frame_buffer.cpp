@@ -51,12 +51,12 @@ FrameBuffer::FrameBuffer(const GladGLContext& gl, int width, int height)
   gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
 }
 
-void FrameBuffer::begin(const Rect& area, const Color& background) {
+void FrameBuffer::begin(const Rect& area, const Color& background, bool with_depth) {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, samples_.id());
   gl_->Scissor(area.x, area.y, area.width, area.height);
   const std::array<float, 4> color = gl_color(background);
   gl_->ClearColor(color[0], color[1], color[2], 1);
-  gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  gl_->Clear(with_depth ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT);
 }
 
 void FrameBuffer::read(const Rect& area, Image& image) {
@@ -65,9 +65,7 @@ void FrameBuffer::read(const Rect& area, Image& image) {
   gl_->BlitFramebuffer(area.x, area.y, x1, y1, area.x, area.y, x1, y1, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, pixels_.id());
   gl_->PixelStorei(GL_PACK_ROW_LENGTH, image.width);
-  const std::size_t first = 4 * (static_cast<std::size_t>(area.y) * static_cast<std::size_t>(image.width) +
-                                 static_cast<std::size_t>(area.x));
-  gl_->ReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data() + first);
+  gl_->ReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixel(area.x, area.y));
 }
 
 }  // namespace bookspin

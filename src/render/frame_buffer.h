@@ -14,7 +14,7 @@ class FrameBuffer {
   FrameBuffer(const GladGLContext& gl, int width, int height);
 
   // All drawing until read() stays within area, which is cleared.
-  void begin(const Rect& area, const Color& background);
+  void begin(const Rect& area, const Color& background, bool with_depth);
   // The samples averaged, copied to the same place in image.
   void read(const Rect& area, Image& image);
 

@@ -4,6 +4,7 @@
 
 #include <glad/gl.h>
 
+#include <cstddef>
 #include <utility>
 
 namespace bookspin {
@@ -14,8 +15,7 @@ class Handle {
 
   Handle() = default;
   Handle(const GladGLContext& gl, GLuint id, Delete destroy) : gl_(&gl), id_(id), destroy_(destroy) {}
-  Handle(Handle&& other) noexcept
-      : gl_(other.gl_), id_(std::exchange(other.id_, 0)), destroy_(other.destroy_) {}
+  Handle(Handle&& other) noexcept : gl_(other.gl_), id_(std::exchange(other.id_, 0)), destroy_(other.destroy_) {}
   Handle& operator=(Handle&& other) noexcept {
     std::swap(gl_, other.gl_);
     std::swap(id_, other.id_);
@@ -33,6 +33,11 @@ class Handle {
   GLuint id_ = 0;
   Delete destroy_ = nullptr;
 };
+
+// OpenGL takes offsets into the bound buffer in the guise of pointers.
+inline const void* buffer_offset(std::size_t bytes) {
+  return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
+}
 
 inline Handle make_buffer(const GladGLContext& gl) {
   GLuint id = 0;

@@ -92,7 +92,8 @@ void push_line(std::vector<float>& out, const View& view, int width, int height,
   const auto vertex = [&](const Eigen::Vector4d& end, double side) {
     Eigen::Vector4d clip = end;
     clip.head<2>() += side * end.w() * across;
-    // With the far plane at infinity z_clip = w - 2 near: what z would be at a smaller distance, at the same place on the screen.
+    // With the far plane at infinity z_clip = w - 2 near: what z would be at a smaller distance, at the same place on
+    // the screen.
     const double nearer = end.w() * (1 - line_bias);
     clip.z() = (nearer - 2 * near) / nearer * end.w();
     push(out, clip);
@@ -122,7 +123,7 @@ OverlayPainter::OverlayPainter(const GladGLContext& gl, const std::filesystem::p
     for (std::size_t i = 0; i < sizes.size(); ++i) {
       gl.EnableVertexAttribArray(static_cast<GLuint>(i));
       gl.VertexAttribPointer(static_cast<GLuint>(i), sizes[i], GL_FLOAT, GL_FALSE,
-                             floats_a_vertex * static_cast<GLsizei>(sizeof(float)), reinterpret_cast<const void*>(offset));
+                             floats_a_vertex * static_cast<GLsizei>(sizeof(float)), buffer_offset(offset));
       offset += static_cast<std::size_t>(sizes[i]) * sizeof(float);
     }
     return stream;

@@ -1,7 +1,8 @@
 // Draws arrows and lines into the current frame buffer, hidden by and hiding the books by depth.
 //
-// Arrows are lit shafts with cones; lines keep their width in pixels and lie a hair nearer to the eye than they are, so that a
-// spring along a book's edge is seen. Needs <assets>/shaders/{solid,line}.{vert,frag}. Throws std::runtime_error as Program does.
+// Arrows are lit shafts with cones; lines keep their width in pixels and lie a hair nearer to the eye than they are, so
+// that a spring along a book's edge is seen. Needs <assets>/shaders/{solid,line}.{vert,frag}. Throws std::runtime_error
+// as Program does.
 #pragma once
 
 #include <array>

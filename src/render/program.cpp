@@ -15,8 +15,7 @@ namespace {
 std::string read_text(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) {
-    throw std::runtime_error(
-        fmt::format("{}: open shader: {}", file.string(), std::generic_category().message(errno)));
+    throw std::runtime_error(fmt::format("{}: open shader: {}", file.string(), std::generic_category().message(errno)));
   }
   return {std::istreambuf_iterator<char>(stream), {}};
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
+#include <cstddef>
 #include <exception>
 #include <optional>
 #include <vector>
@@ -17,13 +18,14 @@
 namespace bookspin {
 namespace {
 
-constexpr int tile = 16;             // pixels: the software renderer works in tiles, and a part of one costs all of it
-constexpr double margin_px = 2;      // what rounding in single precision may move, and a pixel's samples reach
+constexpr int tile = 16;         // pixels: the software renderer works in tiles, and a part of one costs all of it
+constexpr double margin_px = 2;  // what rounding in single precision may move, and a pixel's samples reach
 
 // Which pixels each item of a shot may touch; empty for an item that is not drawn.
 struct Footprint {
   std::vector<Rect> books, arrows, lines;
   std::vector<TextLayout> labels;
+  bool needs_depth = false;  // something may hide something else
 };
 
 Rect aligned(const Rect& rect, const Rect& frame) {
@@ -49,9 +51,7 @@ Rect difference(const std::vector<Item>& old_items, const std::vector<Rect>& old
 
 void copy(const Image& from, const Rect& area, Image& to) {
   for (int y = area.y; y < area.y + area.height; ++y) {
-    const std::size_t first = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(from.width) +
-                                   static_cast<std::size_t>(area.x));
-    std::copy_n(&from.rgba[first], 4 * static_cast<std::size_t>(area.width), &to.rgba[first]);
+    std::copy_n(from.pixel(area.x, y), 4 * static_cast<std::size_t>(area.width), to.pixel(area.x, y));
   }
 }
 
@@ -109,16 +109,27 @@ Footprint Renderer::Parts::find_footprint(const Shot& next, const View& view) {
   for (const Line& line : next.lines) {
     result.lines.push_back(bounds(std::array{line.from_W, line.to_W}, margin_px + line.width_px));
   }
+  result.needs_depth = !next.arrows.empty() || !next.lines.empty();
+  for (std::size_t i = 0; i < next.books.size(); ++i) {
+    if (next.books[i].style != BookStyle::solid || result.books[i].empty()) continue;
+    result.needs_depth = result.needs_depth || !is_unbent(next.books[i].corners_W);
+    for (std::size_t j = 0; j < i; ++j) {
+      const bool both_solid = next.books[j].style == BookStyle::solid;
+      if (both_solid && !intersection(result.books[i], result.books[j]).empty()) result.needs_depth = true;
+    }
+  }
   for (const Label& label : next.labels) result.labels.push_back(text.lay_out(label, view, scene.width, scene.height));
   return result;
 }
 
-void Renderer::Parts::draw_scene(const Shot& next, const Footprint& next_footprint, const View& view, const Rect& area) {
+void Renderer::Parts::draw_scene(const Shot& next, const Footprint& next_footprint, const View& view,
+                                 const Rect& area) {
   const auto touched = [&](const Rect& rect) { return !intersection(rect, area).empty(); };
-  frame_buffer.begin(area, next.background);
+  frame_buffer.begin(area, next.background, next_footprint.needs_depth);
   for (std::size_t i = 0; i < next.books.size(); ++i) {
     const bool solid = next.books[i].style == BookStyle::solid;
-    if (solid && touched(next_footprint.books[i])) books.draw_solid(view, next.books[i].corners_W);
+    if (solid && touched(next_footprint.books[i]))
+      books.draw_solid(view, next.books[i].corners_W, next_footprint.needs_depth);
   }
   for (std::size_t i = 0; i < next.arrows.size(); ++i) {
     if (touched(next_footprint.arrows[i])) overlays.draw_arrow(view, next.arrows[i]);
@@ -146,7 +157,9 @@ void Renderer::Parts::draw(const Shot& next) {
   if (shot == next) return;
   const View view(next.camera, scene.width, scene.height);
   Footprint next_footprint = find_footprint(next, view);
-  const bool first = !shot || shot->camera != next.camera || shot->background != next.background;
+  // With or without depth, an edge's samples may fall out differently.
+  const bool first = !shot || shot->camera != next.camera || shot->background != next.background ||
+                     footprint.needs_depth != next_footprint.needs_depth;
 
   Rect area = scene.bounds();
   if (!first) {
@@ -183,8 +196,12 @@ const Image& Renderer::draw(const Shot& shot) {
   return parts_->picture;
 }
 
-Rect Renderer::changed() const { return parts_->changed; }
+Rect Renderer::changed() const {
+  return parts_->changed;
+}
 
-const std::string& Renderer::description() const { return parts_->context.description(); }
+const std::string& Renderer::description() const {
+  return parts_->context.description();
+}
 
 }  // namespace bookspin

@@ -1,9 +1,9 @@
 // Shots to pixels.
 //
-// assets is the folder that holds shaders/ and textures/. A Renderer belongs to the thread that made it; several threads may each
-// have one, and all draw the same bytes. Only what differs from the previous shot is drawn again, and the picture is
-// byte for byte the one that a new Renderer would draw.
-// The constructor throws std::runtime_error: no OpenGL, a shader or texture or font that is missing or bad.
+// assets is the folder that holds shaders/ and textures/. A Renderer belongs to the thread that made it; several
+// threads may each have one, and all draw the same bytes. Only what differs from the previous shot is drawn again, and
+// the picture is byte for byte the one that a new Renderer would draw. The constructor throws std::runtime_error: no
+// OpenGL, a shader or texture or font that is missing or bad.
 #pragma once
 
 #include <filesystem>
@@ -24,8 +24,8 @@ class Renderer {
   Renderer(Renderer&&) = delete;
   Renderer& operator=(Renderer&&) = delete;
 
-  const Image& draw(const Shot& shot);              // valid until the next draw
-  [[nodiscard]] Rect changed() const;               // holds every pixel in which the last two pictures differ; empty: none does
+  const Image& draw(const Shot& shot);  // valid until the next draw
+  [[nodiscard]] Rect changed() const;   // holds every pixel in which the last two pictures differ; empty: none does
   [[nodiscard]] const std::string& description() const;  // the OpenGL that draws
 
  private:

@@ -1,9 +1,9 @@
 // What one frame shows: plain data, equal shots give equal pictures.
 //
-// W is the world frame (the scene's unit of length), its +y up in the picture. Colours are sRGB as one would write them in a
-// style sheet; alpha is straight. Items are drawn in this order: solid books, arrows, lines (all hiding one another by depth),
-// then ghosts (translucent, over everything behind or before them), then labels.
-// A book, arrow or line with a coordinate that is not finite, or beyond 1e6 camera distances, is not drawn.
+// W is the world frame (the scene's unit of length), its +y up in the picture. Colours are sRGB as one would write them
+// in a style sheet; alpha is straight. Items are drawn in this order: solid books, arrows, lines (all hiding one
+// another by depth), then ghosts (translucent, over everything behind or before them), then labels. A book, arrow or
+// line with a coordinate that is not finite, or beyond 1e6 camera distances, is not drawn.
 #pragma once
 
 #include <Eigen/Core>
@@ -57,9 +57,10 @@ enum class Align { left, center, right };
 enum class Weight { regular, semibold };
 
 struct Label {
-  std::string text;                         // UTF-8, one line
-  Eigen::Vector2d position{0.5, 0.5};       // of the base line's left end, middle or right end: fractions of the frame's width and
-                                            // height from the top left; with an anchor, an offset from it in frame heights
+  std::string text;  // UTF-8, one line
+  Eigen::Vector2d position{0.5,
+                           0.5};  // of the base line's left end, middle or right end: fractions of the frame's width
+                                  // and height from the top left; with an anchor, an offset from it in frame heights
   std::optional<Eigen::Vector3d> anchor_W;  // a point that the label follows
   double height = 0.04;                     // of the line, as a fraction of the frame's height
   Color color{236, 239, 244, 255};

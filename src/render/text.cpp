@@ -39,7 +39,14 @@ std::vector<char32_t> characters(std::string_view text) {
   return result;
 }
 
-bool is_digit(char32_t c) { return c >= U'0' && c <= U'9'; }
+// Of a pixel in a mask of that width.
+std::size_t index(int x, int y, int width) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+}
+
+bool is_digit(char32_t c) {
+  return c >= U'0' && c <= U'9';
+}
 
 // The cover spread over a disc with a soft edge.
 std::vector<std::uint8_t> spread(const std::vector<std::uint8_t>& cover, int width, int height, double radius) {
@@ -52,9 +59,10 @@ std::vector<std::uint8_t> spread(const std::vector<std::uint8_t>& cover, int wid
       if (weight == 0) continue;
       for (int y = std::max(0, dy); y < std::min(height, height + dy); ++y) {
         for (int x = std::max(0, dx); x < std::min(width, width + dx); ++x) {
-          const auto source = static_cast<std::size_t>((y - dy) * width + x - dx);
-          const auto target = static_cast<std::size_t>(y * width + x);
-          result[target] = std::max(result[target], static_cast<std::uint8_t>(std::min(255, cover[source] * weight / 256)));
+          const std::size_t source = index(x - dx, y - dy, width);
+          const std::size_t target = index(x, y, width);
+          result[target] =
+              std::max(result[target], static_cast<std::uint8_t>(std::min(255, cover[source] * weight / 256)));
         }
       }
     }
@@ -88,8 +96,8 @@ struct TextPainter::Fonts {
   Fonts() {
     check(FT_Init_FreeType(&library), BOOKSPIN_FONT_REGULAR, "start FreeType");
     try {
-      check(FT_New_Face(library, BOOKSPIN_FONT_REGULAR, 0, &faces[0]), BOOKSPIN_FONT_REGULAR, "open font");
-      check(FT_New_Face(library, BOOKSPIN_FONT_SEMIBOLD, 0, &faces[1]), BOOKSPIN_FONT_SEMIBOLD, "open font");
+      check(FT_New_Face(library, BOOKSPIN_FONT_REGULAR, 0, faces.data()), BOOKSPIN_FONT_REGULAR, "open font");
+      check(FT_New_Face(library, BOOKSPIN_FONT_SEMIBOLD, 0, faces.data() + 1), BOOKSPIN_FONT_SEMIBOLD, "open font");
     } catch (...) {
       FT_Done_FreeType(library);
       throw;
@@ -108,14 +116,14 @@ const Glyph& TextPainter::glyph(const Key& key) {
 
   const auto& [weight, em, character, phase_x, phase_y] = key;
   const bool regular = weight == Weight::regular;
-  const FT_Face face = fonts_->faces[regular ? 0 : 1];
+  FT_FaceRec* const face = fonts_->faces[regular ? 0 : 1];
   const char* const file = regular ? BOOKSPIN_FONT_REGULAR : BOOKSPIN_FONT_SEMIBOLD;
   Fonts::check(FT_Set_Pixel_Sizes(face, 0, static_cast<FT_UInt>(em)), file, "set font size");
   Fonts::check(FT_Load_Char(face, character, FT_LOAD_NO_BITMAP | FT_LOAD_NO_HINTING), file, "load glyph");
   FT_Outline_Translate(&face->glyph->outline, phase_x * 64 / phases, -phase_y * 64 / phases);
   Fonts::check(FT_Render_Glyph(face->glyph, FT_RENDER_MODE_NORMAL), file, "draw glyph");
 
-  const FT_GlyphSlot slot = face->glyph;
+  const FT_GlyphSlotRec* const slot = face->glyph;
   const FT_Bitmap& bitmap = slot->bitmap;
   const double rim_radius = std::max(1.0, em / 11.0);
   const int border = static_cast<int>(std::ceil(rim_radius));
@@ -126,10 +134,10 @@ const Glyph& TextPainter::glyph(const Key& key) {
     glyph.top = -slot->bitmap_top - border;
     glyph.width = static_cast<int>(bitmap.width) + 2 * border;
     glyph.height = static_cast<int>(bitmap.rows) + 2 * border;
-    glyph.cover.resize(static_cast<std::size_t>(glyph.width) * static_cast<std::size_t>(glyph.height));
+    glyph.cover.resize(index(0, glyph.height, glyph.width));
     for (int y = 0; y < static_cast<int>(bitmap.rows); ++y) {
-      const std::uint8_t* const row = bitmap.buffer + y * bitmap.pitch;
-      std::copy_n(row, bitmap.width, glyph.cover.begin() + (y + border) * glyph.width + border);
+      const std::uint8_t* const row = bitmap.buffer + std::ptrdiff_t{y} * bitmap.pitch;
+      std::copy_n(row, bitmap.width, glyph.cover.data() + index(border, y + border, glyph.width));
     }
     glyph.rim = spread(glyph.cover, glyph.width, glyph.height, rim_radius);
   }
@@ -141,7 +149,8 @@ double TextPainter::digit_advance(Weight weight, int em) {
   for (char32_t digit = U'0'; digit <= U'9'; ++digit) {
     widest = std::max(widest, glyph({weight, em, digit, 0, 0}).advance);
   }
-  return std::ceil(widest * phases) / phases;  // so that a digit looks the same wherever it stands a whole number of digits on
+  return std::ceil(widest * phases) /
+         phases;  // so that a digit looks the same wherever it stands a whole number of digits on
 }
 
 TextLayout TextPainter::lay_out(const Label& label, const View& view, int width, int height) {
@@ -180,8 +189,7 @@ TextLayout TextPainter::lay_out(const Label& label, const View& view, int width,
     const int whole_y = pen_y >= 0 ? pen_y / phases : -((-pen_y + phases - 1) / phases);
     const Glyph& placed = glyph({label.weight, em, c, pen_x - whole_x * phases, pen_y - whole_y * phases});
     layout.glyphs.push_back({&placed, whole_x, whole_y});
-    layout.bounds =
-        union_of(layout.bounds, {whole_x + placed.left, whole_y + placed.top, placed.width, placed.height});
+    layout.bounds = union_of(layout.bounds, {whole_x + placed.left, whole_y + placed.top, placed.width, placed.height});
     x += step;
   }
   layout.bounds = intersection(layout.bounds, {0, 0, width, height});
@@ -192,7 +200,7 @@ void TextPainter::draw(const TextLayout& layout, const Rect& clip, Image& pictur
   const Rect area = intersection(layout.bounds, clip);
   if (area.empty()) return;
   // Rims of neighbours overlap: gathered first, so that no rim darkens twice and none lies on a letter.
-  const auto size = static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height);
+  const std::size_t size = index(0, area.height, area.width);
   std::vector<std::uint8_t> rim(size), cover(size);
   for (const TextLayout::Place& place : layout.glyphs) {
     const Glyph& glyph = *place.glyph;
@@ -200,8 +208,8 @@ void TextPainter::draw(const TextLayout& layout, const Rect& clip, Image& pictur
     const Rect part = intersection({left, top, glyph.width, glyph.height}, area);
     for (int y = part.y; y < part.y + part.height; ++y) {
       for (int x = part.x; x < part.x + part.width; ++x) {
-        const auto from = static_cast<std::size_t>((y - top) * glyph.width + x - left);
-        const auto to = static_cast<std::size_t>((y - area.y) * area.width + x - area.x);
+        const std::size_t from = index(x - left, y - top, glyph.width);
+        const std::size_t to = index(x - area.x, y - area.y, area.width);
         rim[to] = std::max(rim[to], glyph.rim[from]);
         cover[to] = static_cast<std::uint8_t>(std::min(255, cover[to] + glyph.cover[from]));
       }
@@ -209,11 +217,9 @@ void TextPainter::draw(const TextLayout& layout, const Rect& clip, Image& pictur
   }
   for (int y = 0; y < area.height; ++y) {
     for (int x = 0; x < area.width; ++x) {
-      const auto i = static_cast<std::size_t>(y * area.width + x);
+      const std::size_t i = index(x, y, area.width);
       if (rim[i] == 0) continue;
-      std::uint8_t* const pixel =
-          &picture.rgba[4 * (static_cast<std::size_t>(area.y + y) * static_cast<std::size_t>(picture.width) +
-                             static_cast<std::size_t>(area.x + x))];
+      std::uint8_t* const pixel = picture.pixel(area.x + x, area.y + y);
       blend(pixel, rim_color, rim[i] * rim_strength / 255 * layout.color.a / 255);
       blend(pixel, layout.color, cover[i] * layout.color.a / 255);
     }

@@ -1,9 +1,9 @@
-// Labels, set in Inter by FreeType and blended onto a finished picture, each glyph with a soft dark rim so that it reads on a book
-// as on the background.
+// Labels, set in Inter by FreeType and blended onto a finished picture, each glyph with a soft dark rim so that it
+// reads on a book as on the background.
 //
-// Two steps: lay_out finds where each glyph goes (and so which pixels the label touches), draw blends what falls into clip. A label
-// blended in pieces gives the same bytes as in one. Glyphs are drawn once and kept.
-// Throws std::runtime_error naming the font file and FreeType's reason.
+// Two steps: lay_out finds where each glyph goes (and so which pixels the label touches), draw blends what falls into
+// clip. A label blended in pieces gives the same bytes as in one. Glyphs are drawn once and kept. Throws
+// std::runtime_error naming the font file and FreeType's reason.
 #pragma once
 
 #include <cstdint>
@@ -19,11 +19,11 @@
 namespace bookspin {
 
 struct Glyph {
-  int left = 0, top = 0;             // of the bitmaps, pixels right of and below the pen
-  int width = 0, height = 0;         // of the bitmaps, pixels
-  std::vector<std::uint8_t> cover;   // 0 ... 255
-  std::vector<std::uint8_t> rim;     // 0 ... 255: the cover, spread
-  double advance = 0;                // to the next pen, pixels
+  int left = 0, top = 0;            // of the bitmaps, pixels right of and below the pen
+  int width = 0, height = 0;        // of the bitmaps, pixels
+  std::vector<std::uint8_t> cover;  // 0 ... 255
+  std::vector<std::uint8_t> rim;    // 0 ... 255: the cover, spread
+  double advance = 0;               // to the next pen, pixels
 };
 
 struct TextLayout {

@@ -14,7 +14,7 @@
 
 namespace bookspin {
 
-enum class Method { springs, matrix, quaternion };
+enum class Method { springs, matrix, quaternion, exact };
 enum class Style { solid, ghost };
 
 struct Clip {
@@ -24,32 +24,42 @@ struct Clip {
   int substeps = 6;             // integration steps per frame, 1 ... 1000000; the step is h = time_per_frame / substeps
 };
 
+struct Quantity;  // scene/quantities.h
+
 struct ViewSetup {
   Eigen::Vector3d from{0.35, 0.3, 1.0};  // direction from the origin to the camera, world frame, any length > 0
+  std::vector<const Quantity*> head_up;  // shown with the time while the film runs; none: no time either
+};
+
+// What is drawn with a book, beside the book itself.
+struct Show {
+  bool axes = false;              // body axes, labelled x, y, z
+  bool angular_velocity = false;  // arrow
+  bool angular_momentum = false;  // arrow
+  bool trace = false;    // the path of the tip of the spin axis (the one that tilt is measured of), fading with age
+  bool springs = false;  // all 28, coloured by tension
 };
 
 struct BookSetup {
-  std::string name;                                      // printed under the book and in the data; may be empty
+  std::string name;  // printed under the book and in the data; may be empty
   Method method = Method::springs;
-  BookOptions options;                                   // omega_W without the jiggle
-  double jiggle = 0.0;                                   // length of the seeded vector added to omega_W, in units of |omega_W|, 0 ... 1
+  BookOptions options;  // omega_W without the jiggle
+  double jiggle = 0.0;  // length of the seeded vector added to omega_W, in units of |omega_W|, 0 ... 1
   Eigen::Vector3d position_W = Eigen::Vector3d::Zero();  // where it is drawn; the motion itself is about the origin
   Style style = Style::solid;
-  bool show_axes = false;                                // the body axes, labelled x, y, z
+  Show show;
 };
 
-struct Quantity;  // scene/quantities.h
-
 struct Expectation {
-  std::string says;                     // what the caption claims, in words
-  const Quantity* quantity = nullptr;   // what is measured
-  int book = 0;                         // index of the book
-  int first_frame = 0;                  // judged from this frame
-  std::optional<int> last_frame;        // to this one, included; none: to the end
-  std::optional<double> at_least;       // bound for every frame
-  std::optional<double> at_most;        // bound for every frame
-  std::optional<double> rises_to;       // reached or passed upwards by some frame
-  std::optional<double> falls_to;       // reached or passed downwards by some frame
+  std::string says;                    // what the caption claims, in words
+  const Quantity* quantity = nullptr;  // what is measured
+  int book = 0;                        // index of the book
+  int first_frame = 0;                 // judged from this frame
+  std::optional<int> last_frame;       // to this one, included; none: to the end
+  std::optional<double> at_least;      // bound for every frame
+  std::optional<double> at_most;       // bound for every frame
+  std::optional<double> rises_to;      // reached or passed upwards by some frame
+  std::optional<double> falls_to;      // reached or passed downwards by some frame
 };
 
 struct Scene {

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <fstream>
+#include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -15,16 +18,28 @@
 namespace bookspin {
 namespace {
 
-constexpr std::array<std::string_view, 3> method_names{"springs", "matrix", "quaternion"};
+constexpr std::array<std::string_view, 4> method_names{"springs", "matrix", "quaternion", "exact"};
 constexpr std::array<std::string_view, 2> style_names{"solid", "ghost"};
-constexpr std::array<std::string_view, 1> integrator_names{"explicit_euler"};
+constexpr std::array<std::string_view, 10> integrator_names{"explicit_euler", "semi_implicit_euler", "velocity_verlet", "rk4",
+                                                            "composition8",   "splitting2",          "splitting4",      "dmv2",
+                                                            "dmv6",           "dmv10"};
 
-constexpr int most_frames = 100000;  // half an hour at 60 frames a second
+constexpr int most_frames = 100000;       // half an hour at 60 frames a second
 constexpr int most_book_frames = 400000;  // books times frames: what a trajectory may take of memory
 constexpr int most_books = 8;
 
-Range positive() { return {0.0, any, true}; }
-Range signed_number() { return {-any, any}; }
+Range positive() {
+  return {0.0, any, true};
+}
+Range signed_number() {
+  return {-any, any};
+}
+
+std::vector<std::string_view> quantity_names() {
+  std::vector<std::string_view> names;
+  for (const Quantity& q : quantities()) names.push_back(q.name);
+  return names;
+}
 
 void read_clip(TableReader& scene_reader, Clip& clip) {
   const toml::node* node = scene_reader.node("clip");
@@ -47,17 +62,64 @@ void read_view(TableReader& scene_reader, ViewSetup& view) {
   if (view.from.head<1>().norm() + std::abs(view.from.z()) == 0.0) {
     reader.fail(*reader.node("from"), "from", "a direction that does not point straight up or down: x or z not 0");
   }
+  const std::vector<std::string_view> names = quantity_names();
+  for (const std::size_t i : reader.read_words("head_up", names)) view.head_up.push_back(&quantities()[i]);
   reader.done();
 }
 
 // The paper's damping is on or off; a number is a multiple of its critical damping.
 void read_damping(TableReader& reader, double& damping) {
   const toml::node* node = reader.node("damping");
-  if (node != nullptr && node->is_boolean()) {
+  if (node == nullptr) return;
+  if (node->is_boolean()) {
     damping = node->as_boolean()->get() ? 1.0 : 0.0;
     return;
   }
-  reader.read("damping", damping, {0.0, 1000.0});
+  const std::optional<double> value = node->is_number() ? node->value<double>() : std::nullopt;
+  if (!value || !(*value >= 0.0 && *value <= 1000.0)) {
+    reader.fail(*node, "damping", "true, false, or a number from 0 to 1000");
+  }
+  damping = *value;
+}
+
+void read_show(TableReader& reader, Show& show) {
+  const std::array<std::pair<std::string_view, bool*>, 5> parts{{{"axes", &show.axes},
+                                                                 {"angular_velocity", &show.angular_velocity},
+                                                                 {"angular_momentum", &show.angular_momentum},
+                                                                 {"trace", &show.trace},
+                                                                 {"springs", &show.springs}}};
+  std::vector<std::string_view> words;
+  for (const auto& [word, flag] : parts) words.push_back(word);
+  for (const std::size_t i : reader.read_words("show", words)) *parts[i].second = true;
+}
+
+// Words that `integrator` may be for a method, for an error that lists them; empty for the exact motion, which takes no steps.
+std::vector<std::string_view> integrators_of(Method method, bool damped) {
+  switch (method) {
+    case Method::springs:
+      if (damped) return {"explicit_euler", "semi_implicit_euler", "rk4"};
+      return {"explicit_euler", "semi_implicit_euler", "velocity_verlet", "rk4", "composition8"};
+    case Method::matrix:
+      return {"explicit_euler"};
+    case Method::quaternion:
+      return {"explicit_euler", "rk4", "splitting2", "splitting4", "dmv2", "dmv6", "dmv10"};
+    case Method::exact:
+      break;
+  }
+  return {};
+}
+
+void check_integrator(TableReader& reader, const BookSetup& book) {
+  const toml::node* node = reader.node("integrator");
+  if (node == nullptr) return;
+  const bool damped = book.options.damping > 0.0;
+  const std::vector<std::string_view> allowed = integrators_of(book.method, damped);
+  const std::string_view found = integrator_names[static_cast<std::size_t>(book.options.integrator)];
+  if (std::find(allowed.begin(), allowed.end(), found) != allowed.end()) return;
+  if (allowed.empty()) reader.fail(*node, "integrator", "none: the exact motion takes no steps");
+  const std::string_view with = book.method == Method::springs && damped ? " with damping" : "";
+  const std::string_view hint = with.empty() ? "" : "; velocity_verlet and composition8 need damping = false";
+  reader.fail(*node, "integrator", fmt::format("for {}{} one of {}{}", name_of(book.method), with, fmt::join(allowed, ", "), hint));
 }
 
 BookSetup read_book(const toml::table& table, const std::string& path) {
@@ -73,11 +135,12 @@ BookSetup read_book(const toml::table& table, const std::string& path) {
   reader.read("normalize", o.normalize);
   reader.read("normalize_every", o.normalize_every, 1, 1000000);
   read_damping(reader, o.damping);
+  check_integrator(reader, book);
   reader.read("stiffness", o.stiffness, positive());
   reader.read("particle_mass", o.particle_mass, positive());
   reader.read("position", book.position_W, signed_number());
   book.style = static_cast<Style>(reader.read_word("style", style_names, 0));
-  reader.read("show_axes", book.show_axes);
+  read_show(reader, book.show);
   reader.done();
   return book;
 }
@@ -106,8 +169,7 @@ void read_frames(TableReader& reader, Expectation& e) {
 Expectation read_expectation(const toml::table& table, const std::string& path, int books) {
   TableReader reader(table, path);
   Expectation e;
-  std::vector<std::string_view> names;
-  for (const Quantity& q : quantities()) names.push_back(q.name);
+  const std::vector<std::string_view> names = quantity_names();
   reader.read("says", e.says);
   if (!reader.has("quantity")) reader.fail_missing("quantity", fmt::format("one of {}", fmt::join(names, ", ")));
   e.quantity = &quantities()[reader.read_word("quantity", names, 0)];
@@ -128,15 +190,21 @@ Expectation read_expectation(const toml::table& table, const std::string& path, 
 const toml::array* tables(TableReader& reader, std::string_view key) {
   const toml::node* node = reader.node(key);
   if (node == nullptr) return nullptr;
-  if (!node->is_array_of_tables()) reader.fail(*node, key, fmt::format("one or more tables [[{}]]", key));
-  return node->as_array();
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->empty()) reader.fail(*node, key, fmt::format("one or more tables [[{}]]", key));
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const toml::node& one = (*list)[i];
+    if (!one.is_table()) reader.fail(one, fmt::format("{}.{}", key, i), fmt::format("a table [[{}]]", key));
+  }
+  return list;
 }
 
 Scene read_scene(const toml::table& table) {
   TableReader reader(table, "");
   Scene scene;
   reader.read("title", scene.title);
-  if (scene.title.empty()) reader.fail_missing("title", "a text in quotes");
+  if (!reader.has("title")) reader.fail_missing("title", "a text in quotes");
+  if (scene.title.empty()) reader.fail(*reader.node("title"), "title", "a text in quotes, not empty");
   reader.read("caption", scene.caption);
   int seed = 1;
   reader.read("seed", seed, 0, std::numeric_limits<int>::max());
@@ -145,19 +213,20 @@ Scene read_scene(const toml::table& table) {
   read_view(reader, scene.view);
   const toml::array* books = tables(reader, "book");
   if (books == nullptr) reader.fail_missing("book", "one or more tables [[book]]");
-  const std::size_t most = std::min<std::size_t>(most_books, static_cast<std::size_t>(most_book_frames / scene.clip.frames));
+  const std::size_t most =
+      std::min<std::size_t>(most_books, static_cast<std::size_t>(most_book_frames / scene.clip.frames));
   if (books->size() > most) {
-    throw std::invalid_argument(fmt::format("{}book: found {} books of {} frames; allowed: up to {} books, and books x frames up to {}",
-                                            location(books->source()), books->size(), scene.clip.frames, most_books,
-                                            most_book_frames));
+    throw std::invalid_argument(
+        fmt::format("{}book: found {} books of {} frames; allowed: up to {} books, and books x frames up to {}",
+                    location(books->source()), books->size(), scene.clip.frames, most_books, most_book_frames));
   }
   for (std::size_t i = 0; i < books->size(); ++i) {
     scene.books.push_back(read_book(*(*books)[i].as_table(), fmt::format("book.{}", i)));
   }
   if (const toml::array* list = tables(reader, "expect")) {
     for (std::size_t i = 0; i < list->size(); ++i) {
-      scene.expectations.push_back(read_expectation(*(*list)[i].as_table(), fmt::format("expect.{}", i),
-                                                    static_cast<int>(scene.books.size())));
+      scene.expectations.push_back(
+          read_expectation(*(*list)[i].as_table(), fmt::format("expect.{}", i), static_cast<int>(scene.books.size())));
     }
   }
   reader.done();
@@ -194,6 +263,12 @@ void apply_override(toml::table& scene, const std::string& text) {
     quoted << "value = " << toml::value<std::string>(value_text);
     value = parse(quoted.str(), source);
   }
+  if (value.size() != 1) fail("allowed: one value");
+  // What is put into the scene knows where it came from, key and value, for the messages.
+  const auto put = [&source](toml::table& table, std::string_view key, toml::node& node) {
+    const toml::table keyed = parse(fmt::format("'{}' = 0", key), source);
+    table.insert_or_assign(keyed.cbegin()->first, std::move(node));
+  };
   toml::node* at = &scene;
   std::string_view path = std::string_view(text).substr(0, equals);
   while (true) {
@@ -202,7 +277,8 @@ void apply_override(toml::table& scene, const std::string& text) {
     const bool last = dot == std::string_view::npos;
     if (toml::array* list = at->as_array()) {
       const std::optional<std::size_t> i = index(key);
-      if (!i || *i >= list->size()) fail(fmt::format("there is no '{}' in a list of {}, counted from 0", key, list->size()));
+      if (!i || *i >= list->size())
+        fail(fmt::format("there is no '{}' in a list of {}, counted from 0", key, list->size()));
       if (last) {
         list->replace(list->cbegin() + static_cast<std::ptrdiff_t>(*i), std::move(*value.get("value")));
         return;
@@ -210,13 +286,13 @@ void apply_override(toml::table& scene, const std::string& text) {
       at = list->get(*i);
     } else if (toml::table* table = at->as_table()) {
       if (last) {
-        const toml::table keyed = parse(fmt::format("'{}' = 0", key), source);  // a key that knows where it came from
-        table->insert_or_assign(keyed.cbegin()->first, std::move(*value.get("value")));
+        put(*table, key, *value.get("value"));
         return;
       }
       if (!table->contains(key)) {
         if (key == "book" || key == "expect") fail(fmt::format("the scene has no {}", key));
-        table->insert_or_assign(key, toml::table{});
+        toml::table empty = parse("value = {}", source);
+        put(*table, key, *empty.get("value"));
       }
       at = table->get(key);
     } else {
@@ -238,7 +314,8 @@ std::string read_script(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
-  if (!in || std::filesystem::is_directory(file)) throw std::runtime_error(fmt::format("{}: cannot be read", file.string()));
+  if (!in || std::filesystem::is_directory(file))
+    throw std::runtime_error(fmt::format("{}: cannot be read", file.string()));
   return text.str();
 }
 
@@ -246,6 +323,8 @@ Scene load_scene(const std::filesystem::path& file, std::span<const std::string>
   return parse_scene(read_script(file), file.string(), overrides);
 }
 
-std::string_view name_of(Method method) { return method_names[static_cast<std::size_t>(method)]; }
+std::string_view name_of(Method method) {
+  return method_names[static_cast<std::size_t>(method)];
+}
 
 }  // namespace bookspin

@@ -2,7 +2,8 @@
 //
 // Every key is checked: an unknown one, a wrong type or a value out of range throws std::invalid_argument with
 // "file:line:column: key: what was found; what is allowed". A script that cannot be read throws std::runtime_error.
-// Overrides are written "book.0.method=matrix": dotted keys, books and expectations by index, the value in TOML or a bare word.
+// Overrides are written "book.0.method=matrix": dotted keys, books and expectations by index, the value in TOML or a
+// bare word.
 #pragma once
 
 #include <filesystem>

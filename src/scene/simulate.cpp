@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "dynamics/rigid_book.h"
+#include "dynamics/rigid_motion.h"
 #include "dynamics/shape.h"
 #include "dynamics/spring_book.h"
 
@@ -17,7 +18,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-using AnyBook = std::variant<SpringBook, MatrixBook, QuaternionBook>;
+using AnyBook = std::variant<SpringBook, MatrixBook, QuaternionBook, FreeBook, ExactBook>;
 
 AnyBook make_book(Method method, const BookOptions& options) {
   switch (method) {
@@ -26,9 +27,12 @@ AnyBook make_book(Method method, const BookOptions& options) {
     case Method::matrix:
       return MatrixBook(options);
     case Method::quaternion:
+      if (options.integrator != Integrator::explicit_euler) return FreeBook(options);
+      return QuaternionBook(options);
+    case Method::exact:
       break;
   }
-  return QuaternionBook(options);
+  return ExactBook(options);
 }
 
 // Counts the passages of a value between two levels: up through `high` after having been below `low`, and back.
@@ -81,28 +85,39 @@ BookFrame non_finite_frame(const BookFrame& before) {
   f.L_W.setConstant(nan);
   for (double* value : {&f.kinetic_energy, &f.elastic_energy, &f.energy_ratio, &f.angular_momentum_ratio, &f.stretch,
                         &f.extent, &f.tilt, &f.norm, &f.largest_singular_value, &f.orthogonality_defect,
-                        &f.blend_defect}) {
+                        &f.blend_defect, &f.angle_error}) {
     *value = nan;
   }
   f.exploded = true;
   return f;
 }
 
+// Squares overflow long before the corners do: then the corners are still numbers, but what is measured on them is not.
+bool overflown(const BookFrame& f) {
+  for (const double value : {f.kinetic_energy, f.elastic_energy, f.L_W.x(), f.L_W.y(), f.L_W.z(), f.stretch,
+                             f.largest_singular_value, f.orthogonality_defect}) {
+    if (!std::isfinite(value)) return true;
+  }
+  return std::isinf(f.energy_ratio) || std::isinf(f.angular_momentum_ratio);  // 0 / 0 for a book that does not turn
+}
+
 // Measures one book, frame after frame.
 class Recorder {
  public:
-  Recorder(const BookSetup& setup, std::size_t frames) : corners_B_(corners_at_rest(setup.options.size)) {
+  // `options`: those of the setup, with the jiggle in omega_W.
+  Recorder(const BookSetup& setup, const BookOptions& options, std::size_t frames)
+      : corners_B_(corners_at_rest(options.size)), exact_(exact_motion(options)) {
     const double speed = setup.options.omega_W.norm();
     if (speed > 0.0) spin_axis_ = setup.options.omega_W / speed;
     track_.frames.reserve(frames);
   }
 
   template <class Book>
-  void record(const Book& book) {
+  void record(const Book& book, double t) {
     const bool first = track_.frames.empty();
     const Corners corners_W = book.corners_W();
     const double extent_now = extent(corners_W, corners_B_);
-    if (!std::isfinite(extent_now) && !first) {
+    if (!first && (!std::isfinite(extent_now) || !track_.frames.back().corners_W.allFinite())) {
       push(non_finite_frame(track_.frames.back()));
       return;
     }
@@ -121,13 +136,14 @@ class Recorder {
       f.elastic_energy = book.elastic_energy();
       f.floor_hits = book.floor_hits();
     }
-    if constexpr (std::is_same_v<Book, QuaternionBook>) {
+    if constexpr (std::is_same_v<Book, QuaternionBook> || std::is_same_v<Book, FreeBook>) {
       f.norm = book.q_WB().norm();
       const double s2 = f.norm * f.norm;
       const Eigen::Matrix3d blend =
           (1.0 - s2) * Eigen::Matrix3d::Identity() + s2 * book.q_WB().normalized().toRotationMatrix();
       f.blend_defect = (F_WB - blend).cwiseAbs().maxCoeff();
     }
+    f.angle_error = geodesic_angle(f.q_WB, exact_.at(t).q_WB);
     f.stretch = stretch(corners_W, corners_B_);
     f.largest_singular_value = Eigen::JacobiSVD<Eigen::Matrix3d>(F_WB).singularValues()(0);
     f.orthogonality_defect = (F_WB.transpose() * F_WB - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
@@ -143,7 +159,7 @@ class Recorder {
     const double start_energy = start.kinetic_energy + start.elastic_energy;
     f.energy_ratio = (f.kinetic_energy + f.elastic_energy) / start_energy;
     f.angular_momentum_ratio = f.L_W.norm() / start.L_W.norm();
-    push(f);
+    push(!first && overflown(f) ? non_finite_frame(track_.frames.back()) : f);
   }
 
   BookTrack take() { return std::move(track_); }
@@ -155,6 +171,7 @@ class Recorder {
   }
 
   Corners corners_B_;
+  TorqueFree exact_;
   Eigen::Vector3d spin_axis_ = Eigen::Vector3d::Zero();  // body = world frame at the start; without the jiggle
   Passages flips_;
   Pulsations pulsations_;
@@ -165,14 +182,19 @@ BookTrack simulate_book(const BookSetup& setup, const Clip& clip, const Eigen::V
   BookOptions options = setup.options;
   options.omega_W += setup.jiggle * options.omega_W.norm() * jiggle;
   const double h = clip.time_per_frame / clip.substeps;
-  Recorder recorder(setup, static_cast<std::size_t>(clip.frames));
+  Recorder recorder(setup, options, static_cast<std::size_t>(clip.frames));
   AnyBook any_book = make_book(setup.method, options);
   std::visit(
       [&](auto& book) {
-        recorder.record(book);
+        recorder.record(book, 0.0);
         for (int frame = 1; frame < clip.frames; ++frame) {
-          for (int i = 0; i < clip.substeps; ++i) book.step(h);
-          recorder.record(book);
+          const double t = frame * clip.time_per_frame;
+          if constexpr (std::is_same_v<std::decay_t<decltype(book)>, ExactBook>) {
+            book.move_to(t);
+          } else {
+            for (int i = 0; i < clip.substeps; ++i) book.step(h);
+          }
+          recorder.record(book, t);
         }
       },
       any_book);

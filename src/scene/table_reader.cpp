@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -12,8 +13,10 @@ namespace {
 
 std::string text_of(const Range& range) {
   const char* more = range.least_excluded ? "more than" : "from";
-  if (range.least <= -any && range.most >= any) return fmt::format("a number between {:g} and {:g}", range.least, range.most);
-  return fmt::format("a number {} {:g}{} {:g}", more, range.least, range.least_excluded ? ", up to" : " to", range.most);
+  if (range.least <= -any && range.most >= any)
+    return fmt::format("a number between {:g} and {:g}", range.least, range.most);
+  return fmt::format("a number {} {:g}{} {:g}", more, range.least, range.least_excluded ? ", up to" : " to",
+                     range.most);
 }
 
 std::optional<double> number_in(const toml::node& node, const Range& range) {
@@ -21,6 +24,13 @@ std::optional<double> number_in(const toml::node& node, const Range& range) {
   if (!node.is_number() || !value || !std::isfinite(*value) || *value < range.least || *value > range.most) return {};
   if (range.least_excluded && *value == range.least) return {};
   return value;
+}
+
+std::optional<std::size_t> index_of(const toml::node& node, std::span<const std::string_view> words) {
+  const auto* text = node.as_string();
+  const auto found = text == nullptr ? words.end() : std::find(words.begin(), words.end(), text->get());
+  if (found == words.end()) return {};
+  return static_cast<std::size_t>(found - words.begin());
 }
 
 }  // namespace
@@ -34,13 +44,23 @@ std::string location(const toml::source_region& source) {
 std::string shown(const toml::node& node) {
   if (node.is_table()) return "a table";
   if (node.is_array_of_tables()) return "a list of tables";
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  node.visit([&out](const auto& n) { out << n; });
-  std::string text = out.str();
-  constexpr std::size_t longest = 60;
-  if (text.size() > longest) text = text.substr(0, longest) + " ...";
-  return text;
+  std::string text;
+  if (const toml::array* list = node.as_array()) {
+    std::vector<std::string> each;
+    for (const toml::node& one : *list) each.push_back(shown(one));
+    text = fmt::format("[{}]", fmt::join(each, ", "));
+  } else if (const auto* number = node.as_floating_point()) {
+    text = fmt::format("{:#}", number->get());  // the shortest text that means this number
+  } else {
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    node.visit([&out](const auto& n) { out << n; });
+    text = out.str();
+  }
+  std::size_t length = 60;
+  if (text.size() <= length) return text;
+  while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) --length;  // no letter is cut in two
+  return text.substr(0, length) + " ...";
 }
 
 std::string TableReader::full_key(std::string_view key) const {
@@ -119,12 +139,23 @@ std::size_t TableReader::read_word(std::string_view key, std::span<const std::st
                                    std::size_t otherwise) {
   const toml::node* found = node(key);
   if (found == nullptr) return otherwise;
-  if (const auto* text = found->as_string()) {
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      if (words[i] == text->get()) return i;
-    }
+  const std::optional<std::size_t> i = index_of(*found, words);
+  if (!i) fail(*found, key, fmt::format("one of \"{}\"", fmt::join(words, "\", \"")));
+  return *i;
+}
+
+std::vector<std::size_t> TableReader::read_words(std::string_view key, std::span<const std::string_view> words) {
+  std::vector<std::size_t> indices;
+  const toml::node* found = node(key);
+  if (found == nullptr) return indices;
+  const std::string allowed = fmt::format("a list of \"{}\"", fmt::join(words, "\", \""));
+  if (!found->is_array()) fail(*found, key, allowed);
+  for (const toml::node& entry : *found->as_array()) {
+    const std::optional<std::size_t> i = index_of(entry, words);
+    if (!i) fail(entry, key, allowed);
+    indices.push_back(*i);
   }
-  fail(*found, key, fmt::format("one of \"{}\"", fmt::join(words, "\", \"")));
+  return indices;
 }
 
 void TableReader::done() const {

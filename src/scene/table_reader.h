@@ -38,7 +38,11 @@ class TableReader {
   void read(std::string_view key, Eigen::Vector3d& value, Range each);
 
   // Index of the word found, `otherwise` when the table lacks the key.
-  [[nodiscard]] std::size_t read_word(std::string_view key, std::span<const std::string_view> words, std::size_t otherwise);
+  [[nodiscard]] std::size_t read_word(std::string_view key, std::span<const std::string_view> words,
+                                      std::size_t otherwise);
+
+  // Indices of the words in a list; empty when the table lacks the key.
+  [[nodiscard]] std::vector<std::size_t> read_words(std::string_view key, std::span<const std::string_view> words);
 
   const toml::node* node(std::string_view key);  // nullptr: absent; either way the key counts as known
 

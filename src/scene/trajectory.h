@@ -1,8 +1,8 @@
 // What a simulation leaves behind: the corners of every book at every frame, and what was measured there.
 //
 // A book has exploded from the first frame on at which a corner is farther from its centre than largest_extent times half its
-// diagonal at rest, or is not finite. That is data, not an error: a film holds on the frame before. After a number
-// has become non-finite the corners and all measures of the book are NaN.
+// diagonal at rest, or is not finite. That is data, not an error: a film holds on the frame before. Once a
+// number is not finite, or what is measured overflows, the corners and all measures of the book are NaN; counts stay.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +16,7 @@
 
 namespace bookspin {
 
-inline constexpr double largest_extent = 2.5;  // in lengths of half the diagonal at rest
+inline constexpr double largest_extent = 2.0;  // in lengths of half the diagonal at rest
 
 struct BookFrame {
   Corners corners_W;                // about the book's own centre, world frame
@@ -35,6 +35,7 @@ struct BookFrame {
   double largest_singular_value;    // of the deformation: how much the book has grown where it has grown most
   double orthogonality_defect;      // largest entry of |F^T F - 1|, F the deformation
   double blend_defect;              // largest entry of |F - ((1 - s^2) 1 + s^2 R(q / s))|, s = |q|; NaN but for quaternions
+  double angle_error;               // radians from q_WB to the exact rigid motion from the same start, 0 ... pi
   long floor_hits;                  // springs: how often the normalization's floor of 0.1 E0 has bitten so far
   bool exploded;
 };

@@ -24,9 +24,9 @@ TEST(Compare, EqualPictures) {
 TEST(Compare, AnyChannelCounts) {
   const Image a = grey(8, 4, 100);
   Image b = a;
-  b.rgba[0] = 90;                   // red of the first pixel, 10 down
-  b.rgba[4 * 5 + 2] = 103;          // blue of another, 3 up
-  b.rgba[4 * 6 + 3] = 251;          // alpha of a third, 4 down
+  b.rgba[0] = 90;           // red of the first pixel, 10 down
+  b.rgba[4 * 5 + 2] = 103;  // blue of another, 3 up
+  b.rgba[4 * 6 + 3] = 251;  // alpha of a third, 4 down
   const ImageDelta delta = compare(a, b, 3);
   EXPECT_EQ(delta.max_delta, 10);
   EXPECT_DOUBLE_EQ(delta.mean_delta, 17.0 / 32);
@@ -42,7 +42,7 @@ TEST(Compare, DeltaPictureShowsWhatDiffers) {
   Image b(96, 54);
   for (int y = 0; y < a.height; ++y) {
     for (int x = 0; x < a.width; ++x) {
-      const auto i = static_cast<std::size_t>(4 * (y * a.width + x));
+      const std::size_t i = a.offset(x, y);
       for (std::size_t c = 0; c < 3; ++c) a.rgba[i + c] = static_cast<std::uint8_t>(2 * x);
       a.rgba[i + 3] = 255;
       for (std::size_t c = 0; c < 4; ++c) b.rgba[i + c] = a.rgba[i + c];

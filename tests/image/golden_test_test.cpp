@@ -13,8 +13,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool accepting() { return std::getenv("BOOKSPIN_ACCEPT_GOLDENS") != nullptr; }
-fs::path failures() { return fs::path(BOOKSPIN_BINARY_DIR) / "golden" / "image"; }
+bool accepting() {
+  return std::getenv("BOOKSPIN_ACCEPT_GOLDENS") != nullptr;
+}
+fs::path failures() {
+  return fs::path(BOOKSPIN_BINARY_DIR) / "golden" / "image";
+}
 
 Image disc() {
   Image image(32, 18);
@@ -63,4 +67,6 @@ TEST(Golden, MissingFailsAndLeavesTheActualPicture) {
 }  // namespace
 }  // namespace bookspin
 
-int main(int argc, char** argv) { return bookspin::run_tests_with_goldens(argc, argv, "image"); }
+int main(int argc, char** argv) {
+  return bookspin::run_tests_with_goldens(argc, argv, "image");
+}

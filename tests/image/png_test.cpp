@@ -20,7 +20,7 @@ Image gradient(std::uint8_t alpha) {
   Image image(37, 19);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
-      auto* const pixel = &image.rgba[static_cast<std::size_t>(4 * (y * image.width + x))];
+      auto* const pixel = image.pixel(x, y);
       pixel[0] = static_cast<std::uint8_t>(6 * x);
       pixel[1] = static_cast<std::uint8_t>(13 * y);
       pixel[2] = static_cast<std::uint8_t>(255 - 6 * x);

@@ -66,8 +66,8 @@ TEST(GoldenOverlay, TextLegibleAtSmallSize) {
   add("Quaternion, Euler, exact ghost", 0.03, 0.08, 0.05, Align::left, Weight::semibold, false);
   add("t = 111.11 s", 0.97, 0.08, 0.04, Align::right, Weight::regular, true);
   add("t = 888.88 s", 0.97, 0.14, 0.04, Align::right, Weight::regular, true);
-  add("E/E₀ = 1.0003   |L|/L₀ = 0.9998   Δθ = 3.2°   ω² α → ∞   10⁻¹⁵", 0.5, 0.95, 0.04, Align::center,
-      Weight::regular, true);
+  add("E/E₀ = 1.0003   |L|/L₀ = 0.9998   Δθ = 3.2°   ω² α → ∞   10⁻¹⁵", 0.5, 0.95, 0.04, Align::center, Weight::regular,
+      true);
   add("over the book", 0.5, 0.5, 0.045, Align::center, Weight::semibold, false);
   Renderer renderer(640, 360, assets());
   expect_golden(renderer.draw(shot), "render", "text_640x360");

@@ -9,7 +9,9 @@
 
 namespace bookspin {
 
-inline std::filesystem::path assets() { return BOOKSPIN_SOURCE_DIR; }
+inline std::filesystem::path assets() {
+  return BOOKSPIN_SOURCE_DIR;
+}
 
 // The paper's book, turned by angles in degrees about body y, then world x, then world z.
 inline Corners book_at(double about_x, double about_y, double about_z, const Eigen::Vector3d& centre_W = {0, 0, 0}) {
