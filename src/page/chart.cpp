@@ -25,19 +25,20 @@ struct Look {
   double scale;  // shown value / value in the data
   double low;    // shown
   double high;   // shown
+  double most;   // shown; what cannot be exceeded, 0: nothing. From its half on the axis shows it all
 };
 
 constexpr std::array looks{
-    Look{"tilt", "Tilt of the spin axis", "°", 1.0, 0.0, 5.0},
-    Look{"stretch", "Stretch", "%", 100.0, 0.0, 1.0},
-    Look{"energy_ratio", "Energy E/E₀", "", 1.0, 0.95, 1.05},
-    Look{"angular_momentum_ratio", "Angular momentum |L|/|L₀|", "", 1.0, 0.95, 1.05},
-    Look{"angle_error", "Error of the orientation", "rad", 1.0, 0.0, 0.1},
-    Look{"norm", "Norm |q| of the quaternion", "", 1.0, 0.98, 1.02},
-    Look{"largest_singular_value", "Size, where the book has grown most", "", 1.0, 0.95, 1.05},
-    Look{"extent", "Farthest corner, relative to rest", "", 1.0, 0.95, 1.05},
-    Look{"pulsations", "Pulsations so far", "", 1.0, 0.0, 1.0},
-    Look{"flips", "Flips so far", "", 1.0, 0.0, 1.0},
+    Look{"tilt", "Tilt of the spin axis", "°", 1.0, 0.0, 5.0, 180.0},
+    Look{"stretch", "Stretch", "%", 100.0, 0.0, 1.0, 0.0},
+    Look{"energy_ratio", "Energy E/E₀", "", 1.0, 0.95, 1.05, 0.0},
+    Look{"angular_momentum_ratio", "Angular momentum |L|/|L₀|", "", 1.0, 0.95, 1.05, 0.0},
+    Look{"angle_error", "Error of the orientation", "rad", 1.0, 0.0, 0.1, 3.14},
+    Look{"norm", "Norm |q| of the quaternion", "", 1.0, 0.98, 1.02, 0.0},
+    Look{"largest_singular_value", "Size, where the book has grown most", "", 1.0, 0.95, 1.05, 0.0},
+    Look{"extent", "Farthest corner, relative to rest", "", 1.0, 0.95, 1.05, 0.0},
+    Look{"pulsations", "Pulsations so far", "", 1.0, 0.0, 1.0, 0.0},
+    Look{"flips", "Flips so far", "", 1.0, 0.0, 1.0, 0.0},
 };
 
 struct Curve {
@@ -77,8 +78,13 @@ Look look_of(const std::string& quantity, const Json& film) {
   if (known != looks.end()) return *known;
   for (const Json& q : film["quantities"]) {
     if (q["name"] == quantity) {
-      return {quantity.c_str(), quantity.c_str(), q["unit"].get_ref<const std::string&>().c_str(), 1.0,
-              HUGE_VAL,         -HUGE_VAL};
+      return {quantity.c_str(),
+              quantity.c_str(),
+              q["unit"].get_ref<const std::string&>().c_str(),
+              1.0,
+              HUGE_VAL,
+              -HUGE_VAL,
+              0.0};
     }
   }
   throw std::invalid_argument(fmt::format("chart: found quantity '{}', which the film does not have", quantity));
@@ -100,6 +106,11 @@ Curve curve_of(const Json& film, const Json& book, const Look& look) {
   return curve;
 }
 
+// A book without a name among others goes by its method.
+std::string name_of_book(const Json& book) {
+  return book["name"] == "" ? book["method"] : book["name"];
+}
+
 // 1, 2 or 5 times a power of ten, so that at most `most` steps cover the span.
 double round_step(double span, int most) {
   const double power = std::pow(10.0, std::floor(std::log10(span / most)));
@@ -109,7 +120,7 @@ double round_step(double span, int most) {
   return 10.0 * power;
 }
 
-Axis axis_for(const std::vector<Curve>& curves, double low, double high, bool degrees) {
+Axis axis_for(const std::vector<Curve>& curves, double low, double high, double most) {
   double least_positive = HUGE_VAL;
   for (const Curve& curve : curves) {
     for (const double value : curve.values) {
@@ -129,9 +140,10 @@ Axis axis_for(const std::vector<Curve>& curves, double low, double high, bool de
     axis.low = std::pow(10.0, first);
     axis.high = std::pow(10.0, last);
   } else {
-    axis.step = degrees && high > 90.0 ? 90.0 : round_step(high - low, 4);
+    const bool whole = most > 0.0 && high > most / 2.0;
+    axis.step = whole ? most / 2.0 : round_step(high - low, 4);
     axis.low = axis.step * std::floor(low / axis.step + 1e-9);
-    axis.high = axis.step * std::ceil(high / axis.step - 1e-9);
+    axis.high = whole ? most : axis.step * std::ceil(high / axis.step - 1e-9);
   }
   return axis;
 }
@@ -174,9 +186,11 @@ std::string path_of(const Curve& curve, const Axis& axis) {
 }
 
 std::string tick_label(double value, const Axis& axis) {
-  if (axis.log) return fmt::format("{:g}", value);
-  return fmt::format("{:g}",
-                     std::abs(value) < axis.step * 1e-6 ? 0.0 : std::round(value / axis.step * 1e6) * axis.step / 1e6);
+  const bool zero = !axis.log && std::abs(value) < axis.step * 1e-6;
+  const double size = std::abs(value);
+  return zero                         ? "0"
+         : size >= 1e6 || size < 1e-4 ? fmt::format("{:.0e}", value)
+                                      : fmt::format("{:.6g}", std::round(value * 1e4) / 1e4);
 }
 
 Json ticks_of(const Axis& axis) {
@@ -196,6 +210,7 @@ Json panel_of(const Json& film, const std::string& names) {
   Json panel{{"title", ""}, {"unit", ""}};
   double low = HUGE_VAL;
   double high = -HUGE_VAL;
+  double most = 0.0;
   std::string title;
   for (const std::string& quantity : quantities) {
     const Look look = look_of(quantity, film);
@@ -203,11 +218,12 @@ Json panel_of(const Json& film, const std::string& names) {
     high = std::max(high, look.high);
     title += (title.empty() ? "" : ", ") + std::string(look.title);
     panel["unit"] = look.unit;
+    most = look.most;
     int index = many_books ? 0 : static_cast<int>(curves.size());
     for (const Json& book : film["books"]) {
       Curve curve = curve_of(film, book, look);
       curve.colour = index++ % colours;
-      curve.label = many_books ? book["name"].get<std::string>() : look.title;
+      curve.label = many_books ? name_of_book(book) : look.title;
       if (many_books && quantities.size() > 1) curve.label += ", " + std::string(look.title);
       // The exact book's own error is no news.
       const bool dull = quantity == "angle_error" && book["method"] == "exact";
@@ -215,7 +231,7 @@ Json panel_of(const Json& film, const std::string& names) {
       if (!dull && !empty) curves.push_back(std::move(curve));
     }
   }
-  const Axis axis = axis_for(curves, low, high, panel["unit"] == "°");
+  const Axis axis = axis_for(curves, low, high, most);
   panel["title"] = title;
   panel["low"] = axis.low;
   panel["high"] = axis.high;
@@ -250,11 +266,10 @@ Json chart_of(const Json& film, std::string_view panels) {
   for (const Json& book : film["books"]) {
     const Json& exploded = book["exploded_frame"];
     if (!exploded.is_number() || exploded.get<int>() < first || exploded.get<int>() >= first + drawn) continue;
-    const std::string name = book["name"];
     const double share = static_cast<double>(exploded.get<int>() - first) / drawn;
     chart["marks"].push_back({{"share", fmt::format("{:.4f}", share)},
                               {"late", share > 0.8},
-                              {"label", name.empty() ? "explodes" : name + " explodes"}});
+                              {"label", film["books"].size() > 1 ? name_of_book(book) + " explodes" : "explodes"}});
   }
   return chart;
 }

@@ -5,20 +5,21 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <limits>
+#include <set>
 
 namespace bookspin {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr double together = 0.5;      // seconds: what a reader takes in at once
-constexpr double longest_cue = 4.0;   // seconds
-constexpr double half_turn = 1.5708;  // radians between a book and the exact one that nobody can overlook
+constexpr double together = 0.5;         // seconds: what a reader takes in at once
+constexpr double longest_cue = 4.0;      // seconds
+constexpr double quarter_turn = 1.5708;  // radians between a book and the exact one that nobody can overlook
 
 struct Found {
   int frame;
-  std::string what;
+  std::string who;   // the book's name; empty: what is a whole sentence
+  std::string what;  // it does: "has turned over"
 };
 
 double value_at(const Json& list, int frame) {
@@ -26,14 +27,20 @@ double value_at(const Json& list, int frame) {
   return value.is_number() ? value.get<double>() : std::nan("");
 }
 
+// A book without a name among others goes by its method.
+std::string name_of(const Json& book) {
+  return book["name"] == "" ? book["method"] : book["name"];
+}
+
 // The first frame before `end` at which the quantity has reached the bound, upwards or downwards.
-void add_crossing(std::vector<Found>& found, const Json& data, const char* quantity, double bound, bool up, int end,
+void add_crossing(std::vector<Found>& found, const Json& book, const char* quantity, double bound, bool up, int end,
                   const std::string& what) {
+  const Json& data = book["data"];
   if (!data.contains(quantity)) return;
   for (int n = 0; n < end; ++n) {
     const double value = value_at(data[quantity], n);
     if (up ? value >= bound : value <= bound) {
-      found.push_back({n, what});
+      found.push_back({n, name_of(book), what});
       return;
     }
   }
@@ -41,34 +48,52 @@ void add_crossing(std::vector<Found>& found, const Json& data, const char* quant
 
 // Each frame at which a count has risen.
 template <typename Words>
-void add_counts(std::vector<Found>& found, const Json& data, const char* quantity, int end, const Words& words) {
+void add_counts(std::vector<Found>& found, const Json& book, const char* quantity, int end, const Words& words) {
+  const Json& data = book["data"];
   if (!data.contains(quantity)) return;
   for (int n = 1; n < end; ++n) {
     const double count = value_at(data[quantity], n);
-    if (count > value_at(data[quantity], n - 1)) found.push_back({n, words(static_cast<int>(count))});
+    if (count > value_at(data[quantity], n - 1)) found.push_back({n, name_of(book), words(static_cast<int>(count))});
   }
 }
 
 void add_book(std::vector<Found>& found, const Json& book, int frames) {
-  const std::string name = book["name"];
-  const std::string who = name.empty() ? "The book" : name + ": the book";
-  const Json& data = book["data"];
   const bool explodes = book["exploded_frame"].is_number();
   const int end = explodes ? std::min(frames, book["exploded_frame"].get<int>()) : frames;
-  add_counts(found, data, "flips", end,
-             [&](int n) { return fmt::format("{} has turned {} (flip {}).", who, n % 2 == 1 ? "over" : "back", n); });
+  add_counts(found, book, "flips", end,
+             [](int n) { return fmt::format("has turned {} (flip {})", n % 2 == 1 ? "over" : "back", n); });
   // The vibration of springs swells and shrinks too, but too fast for words.
   if (book["method"] != "springs") {
-    add_counts(found, data, "pulsations", end,
-               [&](int n) { return fmt::format("{} has swollen and shrunk (pulsation {}).", who, n); });
-    add_crossing(found, data, "largest_singular_value", 1.2, true, end, who + " has grown by a fifth.");
+    add_counts(found, book, "pulsations", end,
+               [](int n) { return fmt::format("has swollen and shrunk (pulsation {})", n); });
+    add_crossing(found, book, "largest_singular_value", 1.2, true, end, "has grown by a fifth");
   }
-  add_crossing(found, data, "energy_ratio", 2.0, true, end, who + " has twice its energy.");
-  add_crossing(found, data, "angular_momentum_ratio", 0.5, false, end, who + " has lost half its angular momentum.");
-  add_crossing(found, data, "angular_momentum_ratio", 0.1, false, end,
-               who + " has lost nine tenths of its angular momentum.");
-  add_crossing(found, data, "angle_error", half_turn, true, end, who + " is a right angle away from the exact motion.");
-  if (explodes) found.push_back({end, who + " explodes; the film holds on the last picture before."});
+  add_crossing(found, book, "energy_ratio", 2.0, true, end, "has twice its energy");
+  add_crossing(found, book, "angular_momentum_ratio", 0.5, false, end, "has lost half its angular momentum");
+  add_crossing(found, book, "angular_momentum_ratio", 0.1, false, end, "has lost nine tenths of its angular momentum");
+  add_crossing(found, book, "angle_error", quarter_turn, true, end, "is a right angle away from the exact motion");
+  if (explodes) found.push_back({end, name_of(book), "explodes; the film holds on the last picture before"});
+}
+
+// What happened together, in words: "matrix, springs: the book has turned over (flip 1). It looks stable."
+std::string told(const std::vector<Found>& found, bool many_books) {
+  std::vector<std::pair<std::string, std::set<std::string>>> merged;  // what, and who
+  for (const Found& f : found) {
+    auto same = std::find_if(merged.begin(), merged.end(), [&](const auto& m) { return m.first == f.what; });
+    if (same == merged.end()) same = merged.insert(same, {f.what, {}});
+    if (!f.who.empty()) same->second.insert(f.who);
+  }
+  std::string text;
+  for (const auto& [what, who] : merged) {
+    if (!text.empty()) text += ' ';
+    if (who.empty())
+      text += what;
+    else if (many_books)
+      text += fmt::format("{}: the book {}.", fmt::join(who, ", "), what);
+    else
+      text += fmt::format("The book {}.", what);
+  }
+  return text;
 }
 
 std::string sentence(std::string text) {
@@ -102,19 +127,18 @@ std::vector<Event> events_of(const Json& film) {
   for (const Json& book : film["books"]) add_book(found, book, clip["frames"]);
   for (const Json& expectation : film["expectations"]) {
     const std::string says = sentence(expectation["says"]);
-    if (!says.empty() && expectation["met"] == true) found.push_back({expectation["frame"], says});
+    if (!says.empty() && expectation["met"] == true) found.push_back({expectation["frame"], "", says});
   }
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.frame < b.frame; });
 
   std::vector<Event> events;
-  for (const Found& f : found) {
-    if (f.frame < first || f.frame >= first + drawn) continue;
-    const double seconds = (f.frame - first) / fps;
-    if (!events.empty() && seconds - events.back().seconds < together) {
-      if (events.back().what.find(f.what) == std::string::npos) events.back().what += ' ' + f.what;
-    } else {
-      events.push_back({seconds, f.what});
+  for (auto from = found.begin(); from != found.end();) {
+    auto to = from;
+    while (to != found.end() && to->frame - from->frame < together * fps) ++to;
+    if (from->frame >= first && from->frame < first + drawn) {
+      events.push_back({(from->frame - first) / fps, told({from, to}, film["books"].size() > 1)});
     }
+    from = to;
   }
   return events;
 }

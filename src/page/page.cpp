@@ -88,6 +88,19 @@ std::string readable_size(std::uintmax_t bytes) {
                         : fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
 }
 
+// One claim for each thing said; two bounds under the same words are one.
+Json claims_of(const Json& expectations) {
+  Json claims = Json::array();
+  for (const Json& e : expectations) {
+    if (claims.empty() || claims.back()["says"] != e["says"]) {
+      claims.push_back({{"says", e["says"]}, {"met", true}, {"found", Json::array()}});
+    }
+    claims.back()["met"] = claims.back()["met"] == true && e["met"] == true;
+    claims.back()["found"].push_back(e["text"]);
+  }
+  return claims;
+}
+
 // What film.html and figure.html may use of a film.
 Json film_context(const fs::path& site, const std::string& name, const Json& film, const std::string& panels) {
   const std::string size = film["made_with"]["size"];
@@ -106,13 +119,12 @@ Json film_context(const fs::path& site, const std::string& name, const Json& fil
                {"size", readable_size(fs::file_size(site / product))},
                {"script", film["script"]},
                {"script_file", name + ".toml"}};
-  const Json& expectations = film["expectations"];
-  const auto met =
-      std::count_if(expectations.begin(), expectations.end(), [](const Json& e) { return e["met"] == true; });
-  context["claims"] = expectations;
-  context["judged"] = !expectations.empty();
-  context["verdict"] = fmt::format("{} of {}", met, expectations.size());
-  context["all_met"] = met == static_cast<std::ptrdiff_t>(expectations.size());
+  context["claims"] = claims_of(film["expectations"]);
+  const Json& claims = context["claims"];
+  const auto met = std::count_if(claims.begin(), claims.end(), [](const Json& c) { return c["met"] == true; });
+  context["judged"] = !claims.empty();
+  context["verdict"] = fmt::format("{} of {}", met, claims.size());
+  context["all_met"] = met == static_cast<std::ptrdiff_t>(claims.size());
   if (still) return context;
 
   context["chart"] = chart_of(film, panels);

@@ -29,9 +29,15 @@ TEST(Events, AnExplosionIsTheLastThingThatABookDoes) {
   json film = a_film();
   film["expectations"] = json::array();
   film["books"][0]["exploded_frame"] = 6;
-  film["books"][0]["name"] = "springs";
-  EXPECT_THAT(told(film),
-              testing::ElementsAre("0.6 springs: the book explodes; the film holds on the last picture before."));
+  EXPECT_THAT(told(film), testing::ElementsAre("0.6 The book explodes; the film holds on the last picture before."));
+}
+
+TEST(Events, BooksAmongOthersGoByNameOrMethod) {
+  json film = a_film();
+  film["expectations"] = json::array();
+  film["books"] = {a_book("about x", 20), a_book("", 20)};
+  for (json& book : film["books"]) book["data"].erase("energy_ratio");
+  EXPECT_THAT(told(film), testing::ElementsAre("1.0 about x, matrix: the book has turned over (flip 1)."));
 }
 
 TEST(Events, AnUnmetExpectationIsNotTold) {

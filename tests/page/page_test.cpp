@@ -100,6 +100,18 @@ TEST_F(Page, AnUnmetClaimIsShownAsOne) {
   EXPECT_THAT(made(), HasSubstr("Does not hold:"));
 }
 
+TEST_F(Page, TwoBoundsUnderTheSameWordsAreOneClaim) {
+  json film = a_film();
+  film["expectations"].push_back(
+      {{"says", "it turns over"}, {"text", "flips at most 2: found 1"}, {"met", true}, {"found", 1}, {"frame", 19}});
+  put("a", film);
+  EXPECT_THAT(made(), HasSubstr("1 of 1 measured claims hold"));
+  EXPECT_THAT(made(), HasSubstr("flips at most 2: found 1"));
+  film["expectations"][1]["met"] = false;
+  put("a", film);
+  EXPECT_THAT(made(), HasSubstr("0 of 1 measured claims hold"));
+}
+
 TEST_F(Page, AMissingProductIsNamed) {
   for (const char* product : {"a.mp4", "a.png", "a.json"}) {
     fs::remove(scratch / ("site/" + std::string(product)));
