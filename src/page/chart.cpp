@@ -108,7 +108,8 @@ Curve curve_of(const Json& film, const Json& book, const Look& look) {
 
 // A book without a name among others goes by its method.
 std::string name_of_book(const Json& book) {
-  return book["name"] == "" ? book["method"] : book["name"];
+  const std::string name = book["name"];
+  return name.empty() ? book["method"].get<std::string>() : name;
 }
 
 // 1, 2 or 5 times a power of ten, so that at most `most` steps cover the span.

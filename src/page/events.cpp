@@ -29,7 +29,8 @@ double value_at(const Json& list, int frame) {
 
 // A book without a name among others goes by its method.
 std::string name_of(const Json& book) {
-  return book["name"] == "" ? book["method"] : book["name"];
+  const std::string name = book["name"];
+  return name.empty() ? book["method"].get<std::string>() : name;
 }
 
 // The first frame before `end` at which the quantity has reached the bound, upwards or downwards.

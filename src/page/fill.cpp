@@ -35,8 +35,8 @@ const Json* descend(const Json* from, std::string_view path) {
 
 const Json* look_up(const Stack& stack, std::string_view path) {
   if (path == ".") return stack.back();
-  for (auto level = stack.rbegin(); level != stack.rend(); ++level) {
-    if (const Json* found = descend(*level, path)) return found;
+  for (std::size_t level = stack.size(); level-- > 0;) {
+    if (const Json* found = descend(stack[level], path)) return found;
   }
   return nullptr;
 }

@@ -77,7 +77,9 @@ class FlashMeter {
 
   void add(const Image& image) {
     // Sums over all rectangles that begin at the upper left corner.
-    const auto at = [&](int x, int y) { return static_cast<std::size_t>(y * (width_ + 1) + x); };
+    const auto at = [&](int x, int y) {
+      return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_ + 1) + static_cast<std::size_t>(x);
+    };
     std::vector<double> sums(at(width_, height_) + 1);
     for (int y = 1; y <= height_; ++y) {
       for (int x = 1; x <= width_; ++x) {
@@ -117,8 +119,9 @@ int worst_of_flicker(double per_second, std::uint8_t bright, int side) {
   for (int n = 0; n < 120; ++n) {
     Image image(48, 48);
     const bool on = std::fmod(n * per_second / 60.0, 1.0) >= 0.5;
-    for (int y = 0; on && y < side; ++y)
-      std::fill_n(&image.rgba[static_cast<std::size_t>(4 * 48 * y)], 4 * side, bright);
+    const auto wide = static_cast<std::size_t>(side);
+    for (std::size_t y = 0; on && y < wide; ++y)
+      std::fill_n(&image.rgba[192 * y], 4 * wide, bright);  // 192 bytes a row
     meter.add(image);
   }
   return meter.worst();
