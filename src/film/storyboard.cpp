@@ -25,6 +25,16 @@ struct Sphere {
   double radius;
 };
 
+struct CameraAxes {
+  Eigen::Vector3d right_W, up_W, back_W;
+};
+
+CameraAxes camera_axes(const Eigen::Vector3d& from_W) {
+  const Eigen::Vector3d back_W = from_W.normalized();
+  const Eigen::Vector3d right_W = Eigen::Vector3d::UnitY().cross(back_W).normalized();
+  return {right_W, back_W.cross(right_W), back_W};
+}
+
 // The camera from which all spheres lie inside the four side planes of the picture.
 Camera camera_that_frames(const std::vector<Sphere>& spheres, const Eigen::Vector3d& from_W, double aspect) {
   Eigen::AlignedBox3d box;
@@ -32,9 +42,7 @@ Camera camera_that_frames(const std::vector<Sphere>& spheres, const Eigen::Vecto
   Camera camera;
   camera.vertical_fov = vertical_fov;
   camera.target_W = box.center();
-  const Eigen::Vector3d back_W = from_W.normalized();
-  const Eigen::Vector3d right_W = Eigen::Vector3d::UnitY().cross(back_W).normalized();
-  const Eigen::Vector3d up_W = back_W.cross(right_W);
+  const auto [right_W, up_W, back_W] = camera_axes(from_W);
   const double half_height = std::atan(middle_band * std::tan(vertical_fov / 2.0));
   const double half_width = std::atan(aspect * std::tan(vertical_fov / 2.0));
   double distance = 0.0;
@@ -61,8 +69,10 @@ double half_diagonal(const BookSetup& setup) {
   return 0.5 * setup.options.size.norm();
 }
 
-Eigen::Vector3d name_anchor_W(const BookSetup& setup) {
-  return setup.position_W - Eigen::Vector3d(0.0, name_offset * half_diagonal(setup), 0.0);
+// Below the book in the picture: along the camera's down, not the world's.
+Eigen::Vector3d name_anchor_W(const Scene& scene, const BookSetup& setup) {
+  const auto [right_W, up_W, back_W] = camera_axes(scene.view.from);
+  return setup.position_W - up_W * (name_offset * half_diagonal(setup));
 }
 
 }  // namespace
@@ -70,13 +80,15 @@ Eigen::Vector3d name_anchor_W(const BookSetup& setup) {
 Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, double aspect)
     : scene_(&scene), trajectory_(&trajectory), aspect_(aspect) {
   std::vector<Sphere> spheres;
+  last_moving_frame_ = 0;
   for (std::size_t b = 0; b < scene.books.size(); ++b) {
     const BookSetup& setup = scene.books[b];
     const double unit = half_diagonal(setup);
+    last_moving_frame_ = std::max(last_moving_frame_, trajectory.books[b].exploded_frame.value_or(scene.clip.frames));
     double farthest = 1.0;
     for (int n = 0; n < scene.clip.frames; ++n) farthest = std::max(farthest, trajectory.books[b].shown(n).extent);
     spheres.push_back({setup.position_W, std::max(farthest * unit, overlay_reach(setup))});
-    if (!setup.name.empty()) spheres.push_back({name_anchor_W(setup), 0.1 * unit});
+    if (!setup.name.empty()) spheres.push_back({name_anchor_W(scene, setup), 0.1 * unit});
     if (!setup.show.axes) continue;
     for (int n = 0; n < scene.clip.frames; ++n) {
       Shot shot;
@@ -101,7 +113,7 @@ Shot Storyboard::shot(int frame) const {
     add_overlays(shot, setup, track, frame);
     if (!setup.name.empty()) {
       Label name = make_label(setup.name, 0.042, palette::light, {0.0, 0.0});
-      name.anchor_W = name_anchor_W(setup);
+      name.anchor_W = name_anchor_W(*scene_, setup);
       shot.labels.push_back(name);
     }
     if (track.exploded_frame && frame >= *track.exploded_frame) {
@@ -127,7 +139,8 @@ void Storyboard::add_head_up(Shot& shot, int frame) const {
     return shot.labels.back();
   };
   double x = 0.03;
-  add(fmt::format("t {:.1f}", frame * scene_->clip.time_per_frame), {x, 0.95}, Align::left);
+  add(fmt::format("t {:.1f}", std::min(frame, last_moving_frame_) * scene_->clip.time_per_frame), {x, 0.95},
+      Align::left);
   const bool one = std::count_if(scene_->books.begin(), scene_->books.end(),
                                  [](const BookSetup& book) { return book.style == Style::solid; }) <= 1;
   for (std::size_t b = 0; b < scene_->books.size(); ++b) {
@@ -141,7 +154,7 @@ void Storyboard::add_head_up(Shot& shot, int frame) const {
         x += head_up_column / aspect_;
         add(text, {x, 0.95}, Align::left);
       } else {
-        add(text, {0.0, y}, Align::center).anchor_W = name_anchor_W(setup);
+        add(text, {0.0, y}, Align::center).anchor_W = name_anchor_W(*scene_, setup);
         y += 0.05;
       }
     }

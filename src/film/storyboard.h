@@ -26,6 +26,7 @@ class Storyboard {
   const Trajectory* trajectory_;
   double aspect_;
   Camera camera_;
+  int last_moving_frame_ = 0;  // when every book has exploded the clock stops
 };
 
 }  // namespace bookspin

@@ -1,7 +1,8 @@
 // The integrators beyond the paper's: order, conserved quantities, agreement.
 //
-// Rigid: against the exact motion; springs: against tests/data/reference/ref_springs.txt (undamped, 60 samples to T = 200,
-// 24 positions then 24 velocities, good to 2e-12). A measured value holds for both compilers unless it says otherwise.
+// Rigid: against the exact motion; springs: against tests/data/reference/ref_springs.txt (undamped, 60 samples to T =
+// 200, 24 positions then 24 velocities, good to 2e-12). A measured value holds for both compilers unless it says
+// otherwise.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +22,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// An irregular body, tumbling: no symmetry that could hide an error of low order (the paper's book is close to a flat plate).
+// An irregular body, tumbling: no symmetry that could hide an error of low order (the paper's book is close to a flat
+// plate).
 BookOptions tumbling(Integrator integrator) {
   BookOptions o;
   o.size = {1.0, 1.7, 2.2};
@@ -31,7 +33,8 @@ BookOptions tumbling(Integrator integrator) {
 }
 
 struct RigidErrors {
-  double angle = 0.0, L_W = 0.0, energy = 0.0;  // the largest of 60 samples; of L_W and the energy relative to the start
+  double angle = 0.0, L_W = 0.0,
+         energy = 0.0;  // the largest of 60 samples; of L_W and the energy relative to the start
 };
 
 RigidErrors errors_of(const BookOptions& o, double T, int steps) {
@@ -70,14 +73,14 @@ TEST_P(RigidOrder, is_as_promised) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, RigidOrder,
-                         testing::Values(// Measured: orders 4.046, 2.0002, 3.9994, 2.0002, 6.018, 10.04;
-                         // errors 2.7e-7, 2.6e-4, 4.3e-8, 1.6e-3, 2.4e-8, 1.5e-12.
-                         OrderCase{"rk4", Integrator::rk4, 480, 4.0, 0.1, 1e-6},
-                                         OrderCase{"splitting2", Integrator::splitting2, 480, 2.0, 0.001, 5e-4},
-                                         OrderCase{"splitting4", Integrator::splitting4, 240, 4.0, 0.003, 1e-7},
-                                         OrderCase{"dmv2", Integrator::dmv2, 1920, 2.0, 0.001, 3e-3},
-                                         OrderCase{"dmv6", Integrator::dmv6, 240, 6.0, 0.04, 5e-8},
-                                         OrderCase{"dmv10", Integrator::dmv10, 120, 10.0, 0.15, 5e-12}),
+                         testing::Values(  // Measured: orders 4.046, 2.0002, 3.9994, 2.0002, 6.018, 10.04;
+                             // errors 2.7e-7, 2.6e-4, 4.3e-8, 1.6e-3, 2.4e-8, 1.5e-12.
+                             OrderCase{"rk4", Integrator::rk4, 480, 4.0, 0.1, 1e-6},
+                             OrderCase{"splitting2", Integrator::splitting2, 480, 2.0, 0.001, 5e-4},
+                             OrderCase{"splitting4", Integrator::splitting4, 240, 4.0, 0.003, 1e-7},
+                             OrderCase{"dmv2", Integrator::dmv2, 1920, 2.0, 0.001, 3e-3},
+                             OrderCase{"dmv6", Integrator::dmv6, 240, 6.0, 0.04, 5e-8},
+                             OrderCase{"dmv10", Integrator::dmv10, 120, 10.0, 0.15, 5e-12}),
                          [](const auto& param) { return std::string(param.param.name); });
 
 TEST(RigidInvariants, angular_momentum_and_energy) {
@@ -85,12 +88,12 @@ TEST(RigidInvariants, angular_momentum_and_energy) {
     Integrator integrator;
     double L_W, energy;
   };
-  for (const Kept& kept : {Kept{Integrator::splitting2, 3e-13, 6e-5},    // measured: 2.4e-14, 3.2e-5
-                           Kept{Integrator::splitting4, 3e-13, 4e-9},    // measured: 6.3e-14, 2.1e-9
-                           Kept{Integrator::dmv2, 3e-13, 3e-14},         // measured: 1.6e-14, 3.6e-15
-                           Kept{Integrator::dmv6, 3e-13, 3e-14},         // measured: 2.3e-14, 6.2e-15
-                           Kept{Integrator::dmv10, 3e-13, 3e-14},        // measured: 2.1e-14, 4.2e-15
-                           Kept{Integrator::rk4, 3e-7, 2e-7}}) {         // measured: 1.5e-7, 7.7e-8
+  for (const Kept& kept : {Kept{Integrator::splitting2, 3e-13, 6e-5},  // measured: 2.4e-14, 3.2e-5
+                           Kept{Integrator::splitting4, 3e-13, 4e-9},  // measured: 6.3e-14, 2.1e-9
+                           Kept{Integrator::dmv2, 3e-13, 3e-14},       // measured: 1.6e-14, 3.6e-15
+                           Kept{Integrator::dmv6, 3e-13, 3e-14},       // measured: 2.3e-14, 6.2e-15
+                           Kept{Integrator::dmv10, 3e-13, 3e-14},      // measured: 2.1e-14, 4.2e-15
+                           Kept{Integrator::rk4, 3e-7, 2e-7}}) {       // measured: 1.5e-7, 7.7e-8
     const RigidErrors e = errors_of(tumbling(kept.integrator), 600.0, 6000);
     EXPECT_LE(e.L_W, tolerance(kept.L_W)) << static_cast<int>(kept.integrator);
     EXPECT_LE(e.energy, tolerance(kept.energy)) << static_cast<int>(kept.integrator);
@@ -118,7 +121,8 @@ TEST(StepMoments, begin_as_hairer_and_vilmart_print_them) {
   const double h = 1e-3;
   for (const Integrator i : {Integrator::dmv6, Integrator::dmv10}) {
     const Vector3d change = (step_moments(i, I, L, h).cwiseInverse() - I.cwiseInverse()) / (h * h);
-    EXPECT_LE((change - s3 * I.cwiseInverse() - Vector3d::Constant(d3)).cwiseAbs().maxCoeff(), tolerance(1e-8));  // measured: 1.0e-9
+    EXPECT_LE((change - s3 * I.cwiseInverse() - Vector3d::Constant(d3)).cwiseAbs().maxCoeff(),
+              tolerance(1e-8));  // measured: 1.0e-9
   }
   EXPECT_EQ(step_moments(Integrator::dmv2, I, L, h), I);
 }
@@ -129,10 +133,12 @@ TEST(DiscreteMoserVeselov, says_where_it_ends) {
     Integrator integrator;
     double least;  // h |omega|
   };
-  for (const Reach& reach : {Reach{Integrator::dmv2, 0.9}, Reach{Integrator::dmv6, 1.2}, Reach{Integrator::dmv10, 1.2}}) {
-    for (const Vector3d& omega : {Vector3d(1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, 0, 1), Vector3d(1, 1e-3, 0), Vector3d(0.6, 0, 0.8),
-                                  Vector3d(-0.6, 0.64, 0.48)}) {
-      for (const Vector3d& size : {Vector3d(1.878, 2.9085, 0.5), Vector3d(1, 1, 1), Vector3d(2, 3, 1e-6), Vector3d(1, 0.3, 4)}) {
+  for (const Reach& reach :
+       {Reach{Integrator::dmv2, 0.9}, Reach{Integrator::dmv6, 1.2}, Reach{Integrator::dmv10, 1.2}}) {
+    for (const Vector3d& omega : {Vector3d(1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, 0, 1), Vector3d(1, 1e-3, 0),
+                                  Vector3d(0.6, 0, 0.8), Vector3d(-0.6, 0.64, 0.48)}) {
+      for (const Vector3d& size :
+           {Vector3d(1.878, 2.9085, 0.5), Vector3d(1, 1, 1), Vector3d(2, 3, 1e-6), Vector3d(1, 0.3, 4)}) {
         for (double h = 0.05; h < 20.0; h *= 1.03) {
           BookOptions o = tumbling(reach.integrator);
           o.size = size;
@@ -166,7 +172,8 @@ TEST(FreeBookState, remembers_a_kick_below_rounding) {
     FreeBook book(o);
     const int steps = static_cast<int>(middle / 0.1);
     for (int n = 0; n < steps; ++n) book.step(middle / steps);
-    EXPECT_LE(geodesic_angle(book.q_WB(), exact.at(middle).q_WB), tolerance(2e-5));  // measured: 4.8e-6 (rk4), 6.9e-7, 3.6e-14
+    EXPECT_LE(geodesic_angle(book.q_WB(), exact.at(middle).q_WB),
+              tolerance(2e-5));  // measured: 4.8e-6 (rk4), 6.9e-7, 3.6e-14
     EXPECT_GT(middle, 50.0);
   }
 }
@@ -225,13 +232,14 @@ TEST_P(SpringOrder, is_as_promised) {
   EXPECT_LE(fine.v, tolerance(c.error));
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, SpringOrder,
-                         // Measured: orders 0.992, 2.004, 3.979, 8.05; errors 2.8e-4, 3.9e-4, 6.5e-8, 4.6e-9.
-                         testing::Values(OrderCase{"semi_implicit_euler", Integrator::semi_implicit_euler, 8000, 1.0, 0.02, 6e-4},
-                                         OrderCase{"velocity_verlet", Integrator::velocity_verlet, 500, 2.0, 0.01, 8e-4},
-                                         OrderCase{"rk4", Integrator::rk4, 500, 4.0, 0.05, 2e-7},
-                                         OrderCase{"composition8", Integrator::composition8, 40, 8.0, 0.15, 1e-8}),
-                         [](const auto& param) { return std::string(param.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Methods, SpringOrder,
+    // Measured: orders 0.992, 2.004, 3.979, 8.05; errors 2.8e-4, 3.9e-4, 6.5e-8, 4.6e-9.
+    testing::Values(OrderCase{"semi_implicit_euler", Integrator::semi_implicit_euler, 8000, 1.0, 0.02, 6e-4},
+                    OrderCase{"velocity_verlet", Integrator::velocity_verlet, 500, 2.0, 0.01, 8e-4},
+                    OrderCase{"rk4", Integrator::rk4, 500, 4.0, 0.05, 2e-7},
+                    OrderCase{"composition8", Integrator::composition8, 40, 8.0, 0.15, 1e-8}),
+    [](const auto& param) { return std::string(param.param.name); });
 
 TEST(Springs, the_composition_follows_the_reference_to_its_end) {
   const SpringErrors e = spring_errors(Integrator::composition8, 60, 128);
@@ -244,17 +252,19 @@ TEST(Springs, symplectic_methods_keep_energy_and_angular_momentum) {
     Integrator integrator;
     double h, energy;
   };
-  for (const Kept& kept : {Kept{Integrator::velocity_verlet, 0.02, 3e-4}, Kept{Integrator::composition8, 0.1, 1.5e-8}}) {
+  for (const Kept& kept :
+       {Kept{Integrator::velocity_verlet, 0.02, 3e-4}, Kept{Integrator::composition8, 0.1, 1.5e-8}}) {
     SpringBook book(reference_springs(kept.integrator));
     const double energy = book.kinetic_energy();
     const Vector3d L_W = book.angular_momentum_W();
     double worst = 0.0;
     for (int n = 0; n < static_cast<int>(600.0 / kept.h); ++n) {
       book.step(kept.h);
-      if (n % 10 == 0) worst = std::max(worst, std::abs((book.kinetic_energy() + book.elastic_energy()) / energy - 1.0));
+      if (n % 10 == 0)
+        worst = std::max(worst, std::abs((book.kinetic_energy() + book.elastic_energy()) / energy - 1.0));
     }
-    EXPECT_LE(worst, tolerance(kept.energy));                                                // measured: 9.6e-5, 4.0e-9
-    EXPECT_LE((book.angular_momentum_W() - L_W).norm() / L_W.norm(), tolerance(3e-13));     // measured: 1.3e-14, 1.2e-14
+    EXPECT_LE(worst, tolerance(kept.energy));                                            // measured: 9.6e-5, 4.0e-9
+    EXPECT_LE((book.angular_momentum_W() - L_W).norm() / L_W.norm(), tolerance(3e-13));  // measured: 1.3e-14, 1.2e-14
   }
 }
 
@@ -268,9 +278,11 @@ TEST(Springs, damped_methods_agree_in_the_limit) {
     return Corners(book.corners_W());
   };
   const Corners limit = end_of(Integrator::rk4, 1e-3);
-  EXPECT_LE((end_of(Integrator::rk4, 2e-3) - limit).cwiseAbs().maxCoeff(), tolerance(1e-9));                  // measured: 1.7e-10
-  EXPECT_LE((end_of(Integrator::semi_implicit_euler, 1e-4) - limit).cwiseAbs().maxCoeff(), tolerance(1e-3));  // measured: 3.7e-4
-  EXPECT_LE((end_of(Integrator::explicit_euler, 1e-4) - limit).cwiseAbs().maxCoeff(), tolerance(4e-3));       // measured: 1.3e-3
+  EXPECT_LE((end_of(Integrator::rk4, 2e-3) - limit).cwiseAbs().maxCoeff(), tolerance(1e-9));  // measured: 1.7e-10
+  EXPECT_LE((end_of(Integrator::semi_implicit_euler, 1e-4) - limit).cwiseAbs().maxCoeff(),
+            tolerance(1e-3));  // measured: 3.7e-4
+  EXPECT_LE((end_of(Integrator::explicit_euler, 1e-4) - limit).cwiseAbs().maxCoeff(),
+            tolerance(4e-3));  // measured: 1.3e-3
 }
 
 // The paper's explicit Euler and the new methods have one limit.
@@ -285,7 +297,7 @@ TEST(Rigid, all_methods_agree_in_the_limit) {
   EXPECT_LE(geodesic_angle(dmv10, orientation(Integrator::splitting4, 0.005)), tolerance(5e-13));  // measured: 4.3e-14
   QuaternionBook euler(tumbling(Integrator::explicit_euler));
   for (int n = 0; n < 50000; ++n) euler.step(1e-4);
-  EXPECT_LE(geodesic_angle(dmv10, euler.q_WB()), tolerance(3e-4));                                 // measured: 9.6e-5
+  EXPECT_LE(geodesic_angle(dmv10, euler.q_WB()), tolerance(3e-4));  // measured: 9.6e-5
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// A stable spin stays stable: 100,000 turns about Z and Y with every method that is there for accuracy; 10,000 turns of the two
-// spring methods that would take half a minute each.
+// A stable spin stays stable: 100,000 turns about Z and Y with every method that is there for accuracy; 10,000 turns of
+// the two spring methods that would take half a minute each.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,7 +27,9 @@ struct LongSpin {
   int turns = many;
 };
 
-std::string name_of(const testing::TestParamInfo<LongSpin>& param) { return param.param.name; }
+std::string name_of(const testing::TestParamInfo<LongSpin>& param) {
+  return param.param.name;
+}
 
 // Largest angle between the axis of spin and L_W, looked at once in about ten turns.
 template <class Book, class Orientation>
@@ -63,23 +65,25 @@ TEST_P(RigidLongSpin, stays) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, RigidLongSpin,
-                         testing::Values(LongSpin{"rk4", Integrator::rk4, 0.25}, LongSpin{"splitting2", Integrator::splitting2, 0.5},
-                                         LongSpin{"splitting4", Integrator::splitting4, 1.0}, LongSpin{"dmv2", Integrator::dmv2, 0.25},
-                                         LongSpin{"dmv6", Integrator::dmv6, 0.5}, LongSpin{"dmv10", Integrator::dmv10, 1.0}),
-                         name_of);
+INSTANTIATE_TEST_SUITE_P(
+    Methods, RigidLongSpin,
+    testing::Values(LongSpin{"rk4", Integrator::rk4, 0.25}, LongSpin{"splitting2", Integrator::splitting2, 0.5},
+                    LongSpin{"splitting4", Integrator::splitting4, 1.0}, LongSpin{"dmv2", Integrator::dmv2, 0.25},
+                    LongSpin{"dmv6", Integrator::dmv6, 0.5}, LongSpin{"dmv10", Integrator::dmv10, 1.0}),
+    name_of);
 
-// So fast that the springs stretch by some per cent and swing: their own motion tilts the book by a hundredth of a radian about Z.
+// So fast that the springs stretch by some per cent and swing: their own motion tilts the book by a hundredth of a
+// radian about Z.
 class SpringLongSpin : public testing::TestWithParam<LongSpin> {};
 
 TEST_P(SpringLongSpin, stays) {
   for (const int axis : {1, 2}) {
     const BookOptions o = spin(axis, 1.0, GetParam().integrator);
     const Corners rest = corners_at_rest(o.size);
-    const double tilt = widest_tilt(SpringBook(o), axis, 1.0, GetParam(), [&rest](const SpringBook& b) {
-      return best_fit_orientation(b.corners_W(), rest);
-    });
-    EXPECT_LE(tilt, tolerance(axis == 1 ? 1e-2 : 0.1)) << axis;  // measured: 4.19e-3, 1.06e-3; with other steps up to 0.03 about Z
+    const double tilt = widest_tilt(SpringBook(o), axis, 1.0, GetParam(),
+                                    [&rest](const SpringBook& b) { return best_fit_orientation(b.corners_W(), rest); });
+    EXPECT_LE(tilt, tolerance(axis == 1 ? 1e-2 : 0.1))
+        << axis;  // measured: 4.19e-3, 1.06e-3; with other steps up to 0.03 about Z
   }
 }
 

@@ -1,5 +1,5 @@
-// The hard cases, for every method and integrator that a script can name: finite or reported, never a crash, and never a wrong
-// motion that passes for a right one.
+// The hard cases, for every method and integrator that a script can name: finite or reported, never a crash, and never
+// a wrong motion that passes for a right one.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -28,7 +28,8 @@ struct Way {
   [[nodiscard]] bool accurate() const { return rigid() && !euler(); }
   [[nodiscard]] std::string name() const { return method + ' ' + integrator + (damped ? " damped" : ""); }
   [[nodiscard]] std::string text() const {
-    return fmt::format("method = '{}'\ndamping = {}\n{}", method, damped, integrator.empty() ? "" : "integrator = '" + integrator + "'\n");
+    return fmt::format("method = '{}'\ndamping = {}\n{}", method, damped,
+                       integrator.empty() ? "" : "integrator = '" + integrator + "'\n");
   }
 };
 
@@ -41,8 +42,8 @@ const std::vector<Way>& ways() {
   static const auto found = [] {
     std::vector<Way> list;
     for (const char* method : {"springs", "matrix", "quaternion", "exact"}) {
-      for (const char* integrator : {"", "explicit_euler", "semi_implicit_euler", "velocity_verlet", "rk4", "composition8", "splitting2",
-                                     "splitting4", "dmv2", "dmv6", "dmv10"}) {
+      for (const char* integrator : {"", "explicit_euler", "semi_implicit_euler", "velocity_verlet", "rk4",
+                                     "composition8", "splitting2", "splitting4", "dmv2", "dmv6", "dmv10"}) {
         for (const bool damped : {false, true}) {
           const Way way{method, integrator, damped};
           if ((*integrator == '\0') != (way.method == "exact") || (damped && way.rigid())) continue;
@@ -73,20 +74,22 @@ TEST(Ways, that_a_script_can_name) {
   for (const Way& way : ways()) names.push_back(way.name());
   EXPECT_EQ(names, (std::vector<std::string>{
                        "springs explicit_euler", "springs explicit_euler damped", "springs semi_implicit_euler",
-                       "springs semi_implicit_euler damped", "springs velocity_verlet", "springs rk4", "springs rk4 damped",
-                       "springs composition8", "matrix explicit_euler", "quaternion explicit_euler", "quaternion rk4",
-                       "quaternion splitting2", "quaternion splitting4", "quaternion dmv2", "quaternion dmv6", "quaternion dmv10",
-                       "exact "}));
+                       "springs semi_implicit_euler damped", "springs velocity_verlet", "springs rk4",
+                       "springs rk4 damped", "springs composition8", "matrix explicit_euler",
+                       "quaternion explicit_euler", "quaternion rk4", "quaternion splitting2", "quaternion splitting4",
+                       "quaternion dmv2", "quaternion dmv6", "quaternion dmv10", "exact "}));
 }
 
 TEST(Ways, a_wrong_one_is_an_error_that_says_what_is_allowed) {
   EXPECT_EQ(error_of("method = 'matrix'\nintegrator = 'rk4'"),
             "s.toml:5:14: book.0.integrator: found 'rk4'; allowed: for matrix one of explicit_euler");
   EXPECT_EQ(error_of("method = 'quaternion'\nintegrator = 'composition8'"),
-            "s.toml:5:14: book.0.integrator: found 'composition8'; allowed: for quaternion one of explicit_euler, rk4, splitting2, "
+            "s.toml:5:14: book.0.integrator: found 'composition8'; allowed: for quaternion one of explicit_euler, rk4, "
+            "splitting2, "
             "splitting4, dmv2, dmv6, dmv10");
   EXPECT_EQ(error_of("damping = 0.5\nintegrator = 'velocity_verlet'"),
-            "s.toml:5:14: book.0.integrator: found 'velocity_verlet'; allowed: for springs with damping one of explicit_euler, "
+            "s.toml:5:14: book.0.integrator: found 'velocity_verlet'; allowed: for springs with damping one of "
+            "explicit_euler, "
             "semi_implicit_euler, rk4; velocity_verlet and composition8 need damping = false");
   EXPECT_EQ(error_of("method = 'exact'\nintegrator = 'explicit_euler'"),
             "s.toml:5:14: book.0.integrator: found 'explicit_euler'; allowed: none: the exact motion takes no steps");
@@ -98,7 +101,8 @@ void expect_honest(const BookTrack& track) {
     const BookFrame& f = track.frames[n];
     if (!f.exploded) {
       ASSERT_TRUE(f.corners_W.allFinite() && f.q_WB.coeffs().allFinite() && f.L_W.allFinite()) << "frame " << n;
-      ASSERT_TRUE(std::isfinite(f.angle_error) && std::isfinite(f.kinetic_energy) && std::isfinite(f.elastic_energy)) << "frame " << n;
+      ASSERT_TRUE(std::isfinite(f.angle_error) && std::isfinite(f.kinetic_energy) && std::isfinite(f.elastic_energy))
+          << "frame " << n;
       ASSERT_LE(f.extent, largest_extent);
     }
     ASSERT_EQ(f.exploded, track.exploded_frame.has_value() && static_cast<int>(n) >= *track.exploded_frame);
@@ -120,7 +124,9 @@ BookTrack run(const Way& way, const std::string& clip, const std::string& book) 
   return track;
 }
 
-std::string omega(double x, double y, double z) { return fmt::format("angular_velocity = [{:.17g}, {:.17g}, {:.17g}]\n", x, y, z); }
+std::string omega(double x, double y, double z) {
+  return fmt::format("angular_velocity = [{:.17g}, {:.17g}, {:.17g}]\n", x, y, z);
+}
 
 // Both sides of the separatrix and on it: a kick about y alone, about z alone, about both so that 2 E I_x = L^2.
 TEST(HardCases, separatrix) {
@@ -137,7 +143,8 @@ TEST(HardCases, separatrix) {
         for (const Way& way : ways()) {
           SCOPED_TRACE(way.name() + ' ' + start);
           const BookTrack track = run(way, clip, start);
-          if (way.integrator == "splitting4" || way.integrator == "dmv6" || way.integrator == "dmv10" || way.method == "exact") {
+          if (way.integrator == "splitting4" || way.integrator == "dmv6" || way.integrator == "dmv10" ||
+              way.method == "exact") {
             double& worst = is_on ? worst_on : worst_off;
             worst = std::max(worst, largest_error(track));
           }
@@ -149,7 +156,8 @@ TEST(HardCases, separatrix) {
   EXPECT_LE(worst_on, tolerance(3e-7));   // measured: 7.8e-8
 }
 
-// Without a kick the intermediate axis is a steady rotation; no rigid method may leave it, and springs at most by rounding.
+// Without a kick the intermediate axis is a steady rotation; no rigid method may leave it, and springs at most by
+// rounding.
 TEST(HardCases, zero_kick) {
   for (const Way& way : ways()) {
     SCOPED_TRACE(way.name());
@@ -170,7 +178,8 @@ TEST(HardCases, no_spin_at_all) {
 
 // Nearly symmetric, symmetric, cube, flat plate, rod, plate of aspect 1 : 1 : 1e-6, in a general tumble.
 TEST(HardCases, special_shapes) {
-  for (const char* size : {"[1, 1.00000001, 2]", "[1, 1, 2]", "[1, 1, 1]", "[2, 3, 1e-6]", "[1, 1, 1e-6]", "[1e-6, 1e-6, 1]", "[1e6, 1e6, 1]"}) {
+  for (const char* size : {"[1, 1.00000001, 2]", "[1, 1, 2]", "[1, 1, 1]", "[2, 3, 1e-6]", "[1, 1, 1e-6]",
+                           "[1e-6, 1e-6, 1]", "[1e6, 1e6, 1]"}) {
     for (const Way& way : ways()) {
       SCOPED_TRACE(way.name() + ' ' + size);
       const BookTrack track = run(way, "frames = 101, time_per_frame = 0.2, substeps = 10",
@@ -182,10 +191,12 @@ TEST(HardCases, special_shapes) {
   }
 }
 
-// h |omega| from near 1 past pi. A rigid method either explodes, or keeps what it promises to keep, or shows that it does not.
+// h |omega| from near 1 past pi. A rigid method either explodes, or keeps what it promises to keep, or shows that it
+// does not.
 TEST(HardCases, high_spin) {
   for (const double h_omega : {0.9, 1.3, 1.5, 2.0, 3.0, 3.15, 7.0, 1000.0}) {
-    for (const Eigen::Vector3d& axis : {Eigen::Vector3d(1, 1e-3, 1e-3), Eigen::Vector3d(0, 1, 0.1), Eigen::Vector3d(0.6, 0, 0.8)}) {
+    for (const Eigen::Vector3d& axis :
+         {Eigen::Vector3d(1, 1e-3, 1e-3), Eigen::Vector3d(0, 1, 0.1), Eigen::Vector3d(0.6, 0, 0.8)}) {
       for (const Way& way : ways()) {
         SCOPED_TRACE(fmt::format("{} {}", way.name(), h_omega));
         const Eigen::Vector3d w = h_omega / 0.1 * axis.normalized();
@@ -204,7 +215,8 @@ TEST(HardCases, high_spin) {
           EXPECT_LE(last.angle_error, tolerance(1e-14));  // measured: 1.2e-15
         }
         if (way.integrator == "rk4" && way.rigid() && h_omega > 2.0 && axis.y() < 0.5) {
-          EXPECT_TRUE(last.exploded || std::abs(last.angular_momentum_ratio - 1.0) > 0.1) << last.angular_momentum_ratio;
+          EXPECT_TRUE(last.exploded || std::abs(last.angular_momentum_ratio - 1.0) > 0.1)
+              << last.angular_momentum_ratio;
         }
       }
     }
@@ -219,8 +231,9 @@ TEST(HardCases, springs_across_the_explicit_limit) {
         for (const Way& way : ways()) {
           if (way.rigid()) continue;
           SCOPED_TRACE(fmt::format("{} k {} h {}", way.name(), stiffness, h));
-          const BookTrack track = run(way, fmt::format("frames = 301, time_per_frame = {}, substeps = 1", h),
-                                      omega(1, 0.001, 0.001) + fmt::format("stiffness = {}\nnormalize = {}\n", stiffness, normalize));
+          const BookTrack track =
+              run(way, fmt::format("frames = 301, time_per_frame = {}, substeps = 1", h),
+                  omega(1, 0.001, 0.001) + fmt::format("stiffness = {}\nnormalize = {}\n", stiffness, normalize));
           if (stiffness > 1.0 && h > 4.0 && !normalize) {
             EXPECT_TRUE(track.exploded_frame.has_value());
           }
@@ -230,13 +243,14 @@ TEST(HardCases, springs_across_the_explicit_limit) {
   }
 }
 
-// So soft that, with steps so large, the springs come to hold more than the energy there was: the floor bites, and is counted.
-// Two of the undamped methods keep the energy too well for that.
+// So soft that, with steps so large, the springs come to hold more than the energy there was: the floor bites, and is
+// counted. Two of the undamped methods keep the energy too well for that.
 TEST(HardCases, potential_above_the_total_energy) {
   for (const Way& way : ways()) {
     if (way.rigid()) continue;
     SCOPED_TRACE(way.name());
-    const BookTrack track = run(way, "frames = 2001, time_per_frame = 0.5, substeps = 1", omega(3, 0.1, 0.1) + "stiffness = 1\nnormalize = true\n");
+    const BookTrack track = run(way, "frames = 2001, time_per_frame = 0.5, substeps = 1",
+                                omega(3, 0.1, 0.1) + "stiffness = 1\nnormalize = true\n");
     if (way.damped || (way.integrator != "rk4" && way.integrator != "composition8")) {
       EXPECT_GT(track.frames.back().floor_hits, 0);
     }
@@ -256,12 +270,14 @@ TEST(HardCases, quaternion_norm_drift) {
   for (const Way& way : ways()) {
     if (way.method != "quaternion") continue;
     SCOPED_TRACE(way.name());
-    const BookTrack track = run(way, "frames = 101, time_per_frame = 5, substeps = 50", omega(1, 0.2, 0.3) + "normalize = false\n");
+    const BookTrack track =
+        run(way, "frames = 101, time_per_frame = 5, substeps = 50", omega(1, 0.2, 0.3) + "normalize = false\n");
     if (way.euler()) {
       EXPECT_TRUE(track.exploded_frame.has_value());
     } else {
       const bool exact_turns = way.integrator != "rk4";
-      EXPECT_NEAR(track.frames.back().norm, 1.0, tolerance(exact_turns ? 1e-11 : 6e-6));  // measured: 1.1e-12 (splitting4), 1.8e-6
+      EXPECT_NEAR(track.frames.back().norm, 1.0,
+                  tolerance(exact_turns ? 1e-11 : 6e-6));  // measured: 1.1e-12 (splitting4), 1.8e-6
       EXPECT_NE(track.frames.back().norm, 1.0);
     }
   }
@@ -272,7 +288,8 @@ TEST(HardCases, tiny_and_huge_masses) {
   for (const char* mass : {"5e-324", "1e-300", "1e6"}) {
     for (const Way& way : ways()) {
       SCOPED_TRACE(way.name() + ' ' + mass);
-      run(way, "frames = 11, time_per_frame = 0.1, substeps = 10", omega(0.6, -0.5, 0.4) + "particle_mass = " + mass + "\n");
+      run(way, "frames = 11, time_per_frame = 0.1, substeps = 10",
+          omega(0.6, -0.5, 0.4) + "particle_mass = " + mass + "\n");
     }
   }
 }
@@ -293,8 +310,8 @@ TEST(AngleError, of_springs_falls_with_their_stiffness) {
                              omega(0.5, 0.2, 0.1) + fmt::format("normalize = false\nstiffness = {}\n", stiffness)));
   };
   const double soft = error(10.0);
-  EXPECT_LE(soft, tolerance(0.1));                            // measured: 0.033
-  EXPECT_NEAR(soft / error(100.0), 10.0, tolerance(2.0));    // measured: 8.6
+  EXPECT_LE(soft, tolerance(0.1));                         // measured: 0.033
+  EXPECT_NEAR(soft / error(100.0), 10.0, tolerance(2.0));  // measured: 8.6
 }
 
 }  // namespace

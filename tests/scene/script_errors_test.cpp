@@ -39,7 +39,7 @@ const BadScript bad_scripts[] = {
     {"unknown_key_in_clip", "title = \"T\"\n[clip]\n  frame = 3\n[[book]]\n",
      "s.toml:3:3: clip.frame: unknown key; allowed here: fps, frames, substeps, time_per_frame"},
     {"unknown_key_in_view", "title = \"T\"\n[view]\nto = 3\n[[book]]\n",
-     "s.toml:3:1: view.to: unknown key; allowed here: from"},
+     "s.toml:3:1: view.to: unknown key; allowed here: from, head_up"},
     {"unknown_key_in_book", "title = \"T\"\n[[book]]\nmetod = \"matrix\"\n",
      "s.toml:3:1: book.0.metod: unknown key; allowed here: angular_velocity, damping, integrator, jiggle, method, "
      "name, normalize, normalize_every, particle_mass, position, show, size, stiffness, style"},
