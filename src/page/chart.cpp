@@ -268,7 +268,7 @@ Json chart_of(const Json& film, std::string_view panels) {
     const Json& exploded = book["exploded_frame"];
     if (!exploded.is_number() || exploded.get<int>() < first || exploded.get<int>() >= first + drawn) continue;
     const double share = static_cast<double>(exploded.get<int>() - first) / drawn;
-    chart["marks"].push_back({{"share", fmt::format("{:.4f}", share)},
+    chart["marks"].push_back({{"at", coordinate(100.0 * share)},
                               {"late", share > 0.8},
                               {"label", film["books"].size() > 1 ? name_of_book(book) + " explodes" : "explodes"}});
   }

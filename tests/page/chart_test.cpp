@@ -79,7 +79,7 @@ TEST(Chart, AnExplosionEndsTheCurveAndIsMarked) {
   const std::string path = chart["panels"][0]["curves"][0]["path"];
   EXPECT_THAT(path, testing::ContainsRegex("700,[0-9.]+$"));
   ASSERT_EQ(chart["marks"].size(), 1U);
-  EXPECT_EQ(chart["marks"][0]["share"], "0.7500");
+  EXPECT_EQ(chart["marks"][0]["at"], "75");
 }
 
 TEST(Chart, GrowthByOrdersOfMagnitudeHasALogarithmicAxis) {
