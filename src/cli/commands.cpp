@@ -15,6 +15,7 @@
 #include "cli/watch.h"
 #include "film/shoot.h"
 #include "image/png.h"
+#include "page/page.h"
 #include "scene/judge.h"
 #include "scene/scene_file.h"
 #include "scene/simulate.h"
@@ -89,24 +90,29 @@ std::string readable_size(std::uintmax_t bytes) {
                          : fmt::format("{:.2f} MB", static_cast<double>(bytes) / 1e6);
 }
 
-}  // namespace
-
-int list_scenes(const Options& options) {
-  const fs::path folder = options.folder.empty() ? project / "videos" : fs::path(options.folder);
+// The scene scripts of a folder, sorted by name: at least one.
+std::vector<fs::path> scripts_in(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::path> scripts;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     if (entry.path().extension() == ".toml") scripts.push_back(entry.path());
   }
   if (error) throw std::runtime_error(fmt::format("{}: cannot be listed: {}", folder.string(), error.message()));
+  if (scripts.empty()) throw std::runtime_error(fmt::format("{}: holds no scene scripts (*.toml)", folder.string()));
   std::sort(scripts.begin(), scripts.end());
+  return scripts;
+}
+
+}  // namespace
+
+int list_scenes(const Options& options) {
+  const std::vector<fs::path> scripts = scripts_in(options.folder.empty() ? project / "videos" : fs::path(options.folder));
   for (const fs::path& script : scripts) {
     const Scene scene = load_scene(script, options.overrides);
     const double seconds = static_cast<double>(scene.clip.frames) / scene.clip.fps;
     fmt::print("{:30}  {:>7}  {}\n", script.filename().string(),
                scene.clip.frames == 1 ? "still" : fmt::format("{:.1f} s", seconds), scene.title);
   }
-  if (scripts.empty()) throw std::runtime_error(fmt::format("{}: holds no scene scripts (*.toml)", folder.string()));
   return 0;
 }
 
@@ -205,6 +211,14 @@ int write_trajectory(const Options& options) {
   if (!options.output.empty()) written = std::fclose(out) == 0 && written;
   if (!written) fail("cannot be written");
   if (!options.output.empty() && std::rename(part.c_str(), options.output.c_str()) != 0) fail("cannot be renamed");
+  return 0;
+}
+
+int make_page(const Options& options) {
+  PageOrder order{options.folder.empty() ? project / "videos" / "site" : fs::path(options.folder), project / "videos" / "page", {}};
+  for (const fs::path& script : scripts_in(project / "videos")) order.films.push_back(script.stem().string());
+  const PageReceipt page = write_page(order);
+  fmt::print("{}: {} films, {}\n", page.file.string(), page.films, readable_size(page.bytes));
   return 0;
 }
 

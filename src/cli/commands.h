@@ -24,5 +24,6 @@ int render_scenes(const Options& options);
 int draw_scene_frame(const Options& options);
 int check_scenes(const Options& options);
 int write_trajectory(const Options& options);
+int make_page(const Options& options);
 
 }  // namespace bookspin

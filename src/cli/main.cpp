@@ -79,6 +79,10 @@ int main(int argc, char** argv) {
   trajectory->footer(
       "Example:\n  bookspin trajectory videos/fig09_matrix.toml --set clip.substeps=300 -o fine.csv");
 
+  CLI::App* page = app.add_subcommand("page", "Write the course page beside the films, index.html");
+  page->add_option("DIR", options.folder, "Folder of the films (default: the project's videos/site)");
+  page->footer("Example:\n  bookspin page videos/site");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -89,6 +93,7 @@ int main(int argc, char** argv) {
     if (*render) return bookspin::render_scenes(options);
     if (*frame) return bookspin::draw_scene_frame(options);
     if (*check) return bookspin::check_scenes(options);
+    if (*page) return bookspin::make_page(options);
     return bookspin::write_trajectory(options);
   } catch (const std::exception& error) {
     fmt::print(stderr, "bookspin: {}\n", error.what());

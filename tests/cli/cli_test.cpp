@@ -52,6 +52,8 @@ TEST_F(Cli, HelpOfEveryCommandHasAnExample) {
   }
 }
 
+TEST_F(Cli, PageHasAnExampleToo) { EXPECT_THAT((*this)("page --help").out, HasSubstr("  bookspin page videos/site")); }
+
 TEST_F(Cli, ListsTheFiguresOfTheProjectAndOfAFolder) {
   EXPECT_THAT((*this)("list").out, HasSubstr("fig05_unstable_x.toml"));
   const Said said = (*this)("list .");
@@ -164,6 +166,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{"frame_beyond", "frame mine.toml --frame 12 -o a.png", 1, "--frame: found '12'; allowed: 0 to 11"},
         BadCall{"unwritable", "render mine.toml -o /proc/nowhere --size 64x36", 1, "/proc/nowhere"},
         BadCall{"trajectory_nowhere", "trajectory mine.toml -o nowhere/a.csv", 1, "nowhere/a.csv: cannot be opened"},
+        BadCall{"page_without_films", "page .", 1, ".json: is missing; `bookspin render "},
         BadCall{"twice", "render mine.toml ./mine.toml -o .", 1, "would make the same film"}),
     [](const auto& param_info) { return param_info.param.name; });
 
