@@ -17,8 +17,11 @@ constexpr double vertical_fov = 0.5235987755982988;  // 30 degrees, as in the or
 constexpr double margin = 1.04;                      // free space about the motion
 constexpr double middle_band = 0.88;                 // of the height: above it stands the title, below it the figures
 constexpr double name_offset = 1.16;                 // of a name below its book, in lengths of its half diagonal
-constexpr double head_up_line = 0.035;               // height of a line of figures; all in frame heights
-constexpr double head_up_column = 0.3;               // from one figure to the next
+constexpr double left_edge = 0.03;                   // of the title and what stands below it, in frame widths
+constexpr double title_y = 0.07;                     // base line; this and all below in frame heights
+constexpr double title_height = 0.04;
+constexpr double figure_height = 0.035;
+constexpr double line_height = 0.05;
 
 struct Sphere {
   Eigen::Vector3d center_W;
@@ -79,7 +82,7 @@ Eigen::Vector3d name_anchor_W(const Scene& scene, const BookSetup& setup) {
 }  // namespace
 
 Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, double aspect)
-    : scene_(&scene), trajectory_(&trajectory), aspect_(aspect) {
+    : scene_(&scene), trajectory_(&trajectory) {
   std::vector<Sphere> spheres;
   last_moving_frame_ = 0;
   for (std::size_t b = 0; b < scene.books.size(); ++b) {
@@ -103,7 +106,7 @@ Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, double 
 Shot Storyboard::shot(int frame) const {
   Shot shot;
   shot.camera = camera_;
-  shot.labels.push_back(make_label(scene_->title, 0.04, palette::grey, {0.03, 0.07}, Align::left));
+  shot.labels.push_back(make_label(scene_->title, title_height, palette::grey, {left_edge, title_y}, Align::left));
   std::string notice;
   for (std::size_t b = 0; b < scene_->books.size(); ++b) {
     const BookSetup& setup = scene_->books[b];
@@ -123,24 +126,26 @@ Shot Storyboard::shot(int frame) const {
                       setup.name.empty() ? "" : setup.name + " ", *track.exploded_frame * scene_->clip.time_per_frame);
     }
   }
+  double y = title_y + 1.2 * line_height;
   if (!notice.empty()) {
-    shot.labels.push_back(make_label(notice, 0.04, palette::yellow, {0.03, 0.13}, Align::left));
+    shot.labels.push_back(make_label(notice, title_height, palette::yellow, {left_edge, y}, Align::left));
+    y += line_height;
   }
-  add_head_up(shot, frame);
+  add_head_up(shot, frame, y);
   return shot;
 }
 
-// The time, and the figures that the script names: in one line for one book, below each book's name for several.
-void Storyboard::add_head_up(Shot& shot, int frame) const {
+// Below the title, the time and the figures that the script names; for several books below each book's name. Never at
+// the bottom left, where a browser's controls lie over them.
+void Storyboard::add_head_up(Shot& shot, int frame, double y) const {
   const std::vector<const Quantity*>& quantities = scene_->view.head_up;
   if (quantities.empty()) return;
   const auto add = [&shot](const std::string& text, const Eigen::Vector2d& position, Align align) -> Label& {
-    shot.labels.push_back(make_label(text, head_up_line, palette::light, position, align));
+    shot.labels.push_back(make_label(text, figure_height, palette::light, position, align));
     shot.labels.back().tabular = true;
     return shot.labels.back();
   };
-  double x = 0.03;
-  add(fmt::format("t {:.1f}", std::min(frame, last_moving_frame_) * scene_->clip.time_per_frame), {x, 0.95},
+  add(fmt::format("t {:.1f}", std::min(frame, last_moving_frame_) * scene_->clip.time_per_frame), {left_edge, y},
       Align::left);
   const bool one = std::count_if(scene_->books.begin(), scene_->books.end(),
                                  [](const BookSetup& book) { return book.style == Style::solid; }) <= 1;
@@ -148,15 +153,13 @@ void Storyboard::add_head_up(Shot& shot, int frame) const {
     const BookSetup& setup = scene_->books[b];
     if (setup.style == Style::ghost && scene_->books.size() > 1) continue;
     const BookFrame& now = trajectory_->books[b].shown(frame);
-    double y = 0.05;
+    double below_name = 0.0;
     for (const Quantity* quantity : quantities) {
       const std::string text = head_up_text(*quantity, now);
       if (one) {
-        x += head_up_column / aspect_;
-        add(text, {x, 0.95}, Align::left);
+        add(text, {left_edge, y += line_height}, Align::left);
       } else {
-        add(text, {0.0, y}, Align::center).anchor_W = name_anchor_W(*scene_, setup);
-        y += 0.05;
+        add(text, {0.0, below_name += line_height}, Align::center).anchor_W = name_anchor_W(*scene_, setup);
       }
     }
   }

@@ -112,7 +112,7 @@ TEST(Storyboard, FiguresOnRequest) {
   ASSERT_NE(energy, nullptr);
   EXPECT_TRUE(energy->tabular);
   EXPECT_EQ(energy->text, "E/E₀ " + std::to_string(motion.books[0].frames[100].energy_ratio).substr(0, 5));
-  EXPECT_EQ(find_label(shot, "t 4.0")->position.y(), energy->position.y());
+  EXPECT_EQ(find_label(shot, "t 4.0")->position.x(), energy->position.x());
 
   const Scene three = load_scene(script("fig02_experiment"));
   const Trajectory motions = simulate(three);
