@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 10> integrator_names{"explicit_euler", "s
                                                             "dmv6",           "dmv10"};
 
 constexpr int most_frames = 100000;       // half an hour at 60 frames a second
-constexpr int most_book_frames = 400000;  // books times frames: what a trajectory may take of memory
+constexpr int most_book_frames = 300000;  // books times frames: what a trajectory may take of memory
 constexpr int most_books = 8;
 
 Range positive() {
