@@ -20,9 +20,16 @@ namespace {
 
 constexpr std::array<std::string_view, 4> method_names{"springs", "matrix", "quaternion", "exact"};
 constexpr std::array<std::string_view, 2> style_names{"solid", "ghost"};
-constexpr std::array<std::string_view, 10> integrator_names{"explicit_euler", "semi_implicit_euler", "velocity_verlet", "rk4",
-                                                            "composition8",   "splitting2",          "splitting4",      "dmv2",
-                                                            "dmv6",           "dmv10"};
+constexpr std::array<std::string_view, 10> integrator_names{"explicit_euler",
+                                                            "semi_implicit_euler",
+                                                            "velocity_verlet",
+                                                            "rk4",
+                                                            "composition8",
+                                                            "splitting2",
+                                                            "splitting4",
+                                                            "dmv2",
+                                                            "dmv6",
+                                                            "dmv10"};
 
 constexpr int most_frames = 100000;       // half an hour at 60 frames a second
 constexpr int most_book_frames = 300000;  // books times frames: what a trajectory may take of memory
@@ -93,7 +100,8 @@ void read_show(TableReader& reader, Show& show) {
   for (const std::size_t i : reader.read_words("show", words)) *parts[i].second = true;
 }
 
-// Words that `integrator` may be for a method, for an error that lists them; empty for the exact motion, which takes no steps.
+// Words that `integrator` may be for a method, for an error that lists them; empty for the exact motion, which takes no
+// steps.
 std::vector<std::string_view> integrators_of(Method method, bool damped) {
   switch (method) {
     case Method::springs:
@@ -119,7 +127,8 @@ void check_integrator(TableReader& reader, const BookSetup& book) {
   if (allowed.empty()) reader.fail(*node, "integrator", "none: the exact motion takes no steps");
   const std::string_view with = book.method == Method::springs && damped ? " with damping" : "";
   const std::string_view hint = with.empty() ? "" : "; velocity_verlet and composition8 need damping = false";
-  reader.fail(*node, "integrator", fmt::format("for {}{} one of {}{}", name_of(book.method), with, fmt::join(allowed, ", "), hint));
+  reader.fail(*node, "integrator",
+              fmt::format("for {}{} one of {}{}", name_of(book.method), with, fmt::join(allowed, ", "), hint));
 }
 
 BookSetup read_book(const toml::table& table, const std::string& path) {

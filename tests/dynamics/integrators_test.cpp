@@ -74,7 +74,7 @@ TEST_P(RigidOrder, is_as_promised) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, RigidOrder,
                          testing::Values(  // Measured: orders 4.046, 2.0002, 3.9994, 2.0002, 6.018, 10.04;
-                             // errors 2.7e-7, 2.6e-4, 4.3e-8, 1.6e-3, 2.4e-8, 1.5e-12.
+                                           // errors 2.7e-7, 2.6e-4, 4.3e-8, 1.6e-3, 2.4e-8, 1.5e-12.
                              OrderCase{"rk4", Integrator::rk4, 480, 4.0, 0.1, 1e-6},
                              OrderCase{"splitting2", Integrator::splitting2, 480, 2.0, 0.001, 5e-4},
                              OrderCase{"splitting4", Integrator::splitting4, 240, 4.0, 0.003, 1e-7},

@@ -38,12 +38,11 @@ TEST(Overrides, reach_every_key_of_the_scene_the_clip_and_the_view) {
 }
 
 TEST(Overrides, reach_every_key_of_a_book) {
-  const Scene scene =
-      with({"book.1.name=left one", "book.1.method=quaternion", "book.1.integrator=explicit_euler",
-            "book.1.size=[2, 3, 0.25]", "book.1.angular_velocity=[0.5, -0.25, 1]", "book.1.jiggle=1e-3",
-            "book.1.normalize=false", "book.1.normalize_every=7", "book.1.damping=0.5", "book.1.stiffness=20",
-            "book.1.particle_mass=0.125", "book.1.position=[-1, 0, 2]", "book.1.style=ghost", "book.1.show=['axes', 'trace']",
-            "view.head_up=['tilt', 'flips']"});
+  const Scene scene = with({"book.1.name=left one", "book.1.method=quaternion", "book.1.integrator=explicit_euler",
+                            "book.1.size=[2, 3, 0.25]", "book.1.angular_velocity=[0.5, -0.25, 1]", "book.1.jiggle=1e-3",
+                            "book.1.normalize=false", "book.1.normalize_every=7", "book.1.damping=0.5",
+                            "book.1.stiffness=20", "book.1.particle_mass=0.125", "book.1.position=[-1, 0, 2]",
+                            "book.1.style=ghost", "book.1.show=['axes', 'trace']", "view.head_up=['tilt', 'flips']"});
   const BookSetup& book = scene.books[1];
   EXPECT_EQ(book.name, "left one");
   EXPECT_EQ(book.method, Method::quaternion);

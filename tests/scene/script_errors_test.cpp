@@ -137,7 +137,8 @@ const BadScript bad_scripts[] = {
     {"method_a_number", "title = \"T\"\n[[book]]\nmethod = 1\n",
      "s.toml:3:10: book.0.method: found 1; allowed: one of \"springs\", \"matrix\", \"quaternion\", \"exact\""},
     {"integrator_unknown", "title = \"T\"\n[[book]]\nintegrator = \"rk5\"\n",
-     "s.toml:3:14: book.0.integrator: found 'rk5'; allowed: one of \"explicit_euler\", \"semi_implicit_euler\", \"velocity_verlet\", "
+     "s.toml:3:14: book.0.integrator: found 'rk5'; allowed: one of \"explicit_euler\", \"semi_implicit_euler\", "
+     "\"velocity_verlet\", "
      "\"rk4\", \"composition8\", \"splitting2\", \"splitting4\", \"dmv2\", \"dmv6\", \"dmv10\""},
     {"size_zero", "title = \"T\"\n[[book]]\nsize = [1, 0, 1]\n",
      "s.toml:3:8: book.0.size: found [1, 0, 1]; allowed: a list of three numbers [x, y, z], each a number from 1e-06 "
@@ -197,7 +198,8 @@ const BadScript bad_scripts[] = {
     {"quantity_unknown", "title = \"T\"\n[[book]]\n[[expect]]\nquantity = \"tlt\"\nat_most = 1\n",
      "s.toml:4:12: expect.0.quantity: found 'tlt'; allowed: one of \"tilt\", \"flips\", \"stretch\", "
      "\"kinetic_energy\", \"elastic_energy\", \"energy_ratio\", \"angular_momentum_ratio\", \"norm\", "
-     "\"largest_singular_value\", \"orthogonality_defect\", \"blend_defect\", \"pulsations\", \"angle_error\", \"extent\", "
+     "\"largest_singular_value\", \"orthogonality_defect\", \"blend_defect\", \"pulsations\", \"angle_error\", "
+     "\"extent\", "
      "\"floor_hits\", \"exploded\""},
     {"expect_of_no_such_book", "title = \"T\"\n[[book]]\n[[expect]]\nquantity = \"tilt\"\nbook = 1\nat_most = 2\n",
      "s.toml:5:8: expect.0.book: found 1; allowed: a whole number from 0 to 0"},
