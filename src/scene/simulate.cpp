@@ -115,7 +115,7 @@ class Recorder {
   template <class Book>
   void record(const Book& book, double t) {
     const bool first = track_.frames.empty();
-    const Corners corners_W = book.corners_W();
+    const Corners& corners_W = book.corners_W();
     const double extent_now = extent(corners_W, corners_B_);
     if (!first && (!std::isfinite(extent_now) || !track_.frames.back().corners_W.allFinite())) {
       push(non_finite_frame(track_.frames.back()));
