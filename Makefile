@@ -1,12 +1,17 @@
 # The front door. Each target works alone on a fresh Debian or Ubuntu: it installs what is missing, builds, and runs.
 
-.PHONY: figures test golden report bench clean build packages
+.PHONY: figures page test golden report bench clean build packages
 
 figures: build
 	build/bookspin render --update videos/*.toml -o videos/site
+	build/bookspin page videos/site
+
+# The course page alone, from the films that are there.
+page: build
+	build/bookspin page videos/site
 
 test: everything
-	ctest --preset release
+	@ctest --preset release; status=$$?; cat build/browser/skipped 2>/dev/null; exit $$status
 
 # Accept the frames that the tests draw as the new goldens. Then look at them, and commit them alone, with the reason.
 golden: everything

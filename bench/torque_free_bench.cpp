@@ -125,7 +125,7 @@ void evaluation(benchmark::State& state) {
   const Start start = start_of(state.range(0));
   const TorqueFree exact(start.I_B, Quaterniond::Identity(), start.L_B);
   int sample = 0;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     benchmark::DoNotOptimize(exact.at(start.T * (1.0 / 1024) * (sample++ & 1023)));
   }
 }
@@ -133,7 +133,7 @@ BENCHMARK(evaluation)->DenseRange(0, 3);
 
 void setup(benchmark::State& state) {
   const Start start = start_of(state.range(0));
-  for (auto _ : state) benchmark::DoNotOptimize(TorqueFree(start.I_B, Quaterniond::Identity(), start.L_B));
+  while (state.KeepRunning()) benchmark::DoNotOptimize(TorqueFree(start.I_B, Quaterniond::Identity(), start.L_B));
 }
 BENCHMARK(setup)->DenseRange(0, 3);
 
@@ -148,7 +148,7 @@ void boost_evaluation(benchmark::State& state) {
       error = std::max(error, exact.at(t).q_WB.angularDistance(textbook.to_body_axes(textbook.at(t))));
     }
     int sample = 0;
-    for (auto _ : state) benchmark::DoNotOptimize(textbook.at(start.T * (1.0 / 1024) * (sample++ & 1023)));
+    while (state.KeepRunning()) benchmark::DoNotOptimize(textbook.at(start.T * (1.0 / 1024) * (sample++ & 1023)));
     state.counters["error"] = error;
   } catch (const std::exception& problem) {
     state.SkipWithError(problem.what());

@@ -17,6 +17,7 @@
 #include "cli/watch.h"
 #include "film/shoot.h"
 #include "image/png.h"
+#include "page/page.h"
 #include "report/report.h"
 #include "scene/judge.h"
 #include "scene/scene_file.h"
@@ -92,24 +93,29 @@ std::string readable_size(std::uintmax_t bytes) {
                          : fmt::format("{:.2f} MB", static_cast<double>(bytes) / 1e6);
 }
 
-}  // namespace
-
-int list_scenes(const Options& options) {
-  const fs::path folder = options.folder.empty() ? project / "videos" : fs::path(options.folder);
+// The scene scripts of a folder, sorted by name: at least one.
+std::vector<fs::path> scripts_in(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::path> scripts;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     if (entry.path().extension() == ".toml") scripts.push_back(entry.path());
   }
   if (error) throw std::runtime_error(fmt::format("{}: cannot be listed: {}", folder.string(), error.message()));
+  if (scripts.empty()) throw std::runtime_error(fmt::format("{}: holds no scene scripts (*.toml)", folder.string()));
   std::sort(scripts.begin(), scripts.end());
+  return scripts;
+}
+
+}  // namespace
+
+int list_scenes(const Options& options) {
+  const std::vector<fs::path> scripts = scripts_in(options.folder.empty() ? project / "videos" : fs::path(options.folder));
   for (const fs::path& script : scripts) {
     const Scene scene = load_scene(script, options.overrides);
     const double seconds = static_cast<double>(scene.clip.frames) / scene.clip.fps;
     fmt::print("{:30}  {:>7}  {}\n", script.filename().string(),
                scene.clip.frames == 1 ? "still" : fmt::format("{:.1f} s", seconds), scene.title);
   }
-  if (scripts.empty()) throw std::runtime_error(fmt::format("{}: holds no scene scripts (*.toml)", folder.string()));
   return 0;
 }
 
@@ -222,6 +228,14 @@ int report(const Options& options) {
   });
   if (terminal) fmt::print(stderr, "\r\x1b[K");
   fmt::print("{} in {:.0f} s\n", (folder / "index.html").string(), seconds());
+  return 0;
+}
+
+int make_page(const Options& options) {
+  PageOrder order{options.folder.empty() ? project / "videos" / "site" : fs::path(options.folder), project / "videos" / "page", {}};
+  for (const fs::path& script : scripts_in(project / "videos")) order.films.push_back(script.stem().string());
+  const PageReceipt page = write_page(order);
+  fmt::print("{}: {} films, {}\n", page.file.string(), page.films, readable_size(page.bytes));
   return 0;
 }
 

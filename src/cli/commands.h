@@ -26,5 +26,6 @@ int draw_scene_frame(const Options& options);
 int check_scenes(const Options& options);
 int write_trajectory(const Options& options);
 int report(const Options& options);
+int make_page(const Options& options);
 
 }  // namespace bookspin

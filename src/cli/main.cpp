@@ -84,6 +84,10 @@ int main(int argc, char** argv) {
   report->add_flag("--quick", options.quick, "Every file in seconds: for tests, not for reading");
   report->footer("Example:\n  bookspin report -o report");
 
+  CLI::App* page = app.add_subcommand("page", "Write the course page beside the films, index.html");
+  page->add_option("DIR", options.folder, "Folder of the films (default: the project's videos/site)");
+  page->footer("Example:\n  bookspin page videos/site");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -95,6 +99,7 @@ int main(int argc, char** argv) {
     if (*frame) return bookspin::draw_scene_frame(options);
     if (*report) return bookspin::report(options);
     if (*check) return bookspin::check_scenes(options);
+    if (*page) return bookspin::make_page(options);
     return bookspin::write_trajectory(options);
   } catch (const std::exception& error) {
     fmt::print(stderr, "bookspin: {}\n", error.what());

@@ -42,7 +42,9 @@ void MatrixBook::step(double h) {
   }
 }
 
-double MatrixBook::kinetic_energy() const { return rotational_energy(R_WB_, I_B_, L_W_); }
+double MatrixBook::kinetic_energy() const {
+  return rotational_energy(R_WB_, I_B_, L_W_);
+}
 
 QuaternionBook::QuaternionBook(const BookOptions& options)
     : corners_B_(corners_at_rest(options.size)),
@@ -59,6 +61,8 @@ void QuaternionBook::step(double h) {
   if (normalize_every_ > 0 && steps_ % normalize_every_ == 0) q_WB_.coeffs() /= q_WB_.coeffs().stableNorm();
 }
 
-double QuaternionBook::kinetic_energy() const { return rotational_energy(q_WB_.toRotationMatrix(), I_B_, L_W_); }
+double QuaternionBook::kinetic_energy() const {
+  return rotational_energy(q_WB_.toRotationMatrix(), I_B_, L_W_);
+}
 
 }  // namespace bookspin

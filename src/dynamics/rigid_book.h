@@ -4,10 +4,10 @@
 //   matrix:      R += h [omega_W]x R;         normalization R = U V^T of the singular value decomposition
 //   quaternion:  q += h/2 (0, omega_W) q;     normalization q = q / |q|
 //
-// The paper prints q' = q omega / 2, which holds for omega in body axes; its omega is in world axes, which needs omega q / 2.
-// The quaternion book takes R from q by the usual formula even when |q| = s is not 1; then R is (1 - s^2) Identity + s^2 times
-// the rotation of q / s: the book blended with its unrotated self, which is the pulsation of Figure 12.
-// Nothing throws; a state that has grown past the largest double is non-finite, and stays so.
+// The paper prints q' = q omega / 2, which holds for omega in body axes; its omega is in world axes, which needs omega
+// q / 2. The quaternion book takes R from q by the usual formula even when |q| = s is not 1; then R is (1 - s^2)
+// Identity + s^2 times the rotation of q / s: the book blended with its unrotated self, which is the pulsation of
+// Figure 12. Nothing throws; a state that has grown past the largest double is non-finite, and stays so.
 #pragma once
 
 #include <Eigen/Core>

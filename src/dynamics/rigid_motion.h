@@ -2,8 +2,8 @@
 //
 // Both give corners, angular momentum and energy of their own state, so that what a method loses is seen.
 // FreeBook: any rigid integrator but explicit Euler (rigid_steps.h); normalization is q = q / |q|, every n-th step.
-// ExactBook: the closed form (torque_free.h) at the time it was last moved to; nothing accumulates. The motion does not depend
-// on the particles' mass and is computed with 1. Throws nothing for a size in 1e-6 ... 1e6 and a finite omega_W.
+// ExactBook: the closed form (torque_free.h) at the time it was last moved to; nothing accumulates. The motion does not
+// depend on the particles' mass and is computed with 1. Throws nothing for a size in 1e-6 ... 1e6 and a finite omega_W.
 #pragma once
 
 #include "dynamics/book.h"
@@ -47,8 +47,12 @@ class ExactBook {
 
   [[nodiscard]] const Eigen::Quaterniond& q_WB() const { return state_.q_WB; }
   [[nodiscard]] Corners corners_W() const { return state_.q_WB.toRotationMatrix() * corners_B_; }
-  [[nodiscard]] Eigen::Vector3d angular_momentum_W() const { return particle_mass_ * (state_.q_WB.toRotationMatrix() * state_.L_B); }
-  [[nodiscard]] double kinetic_energy() const { return 0.5 * particle_mass_ * state_.L_B.dot(state_.L_B.cwiseQuotient(I_B_)); }
+  [[nodiscard]] Eigen::Vector3d angular_momentum_W() const {
+    return particle_mass_ * (state_.q_WB.toRotationMatrix() * state_.L_B);
+  }
+  [[nodiscard]] double kinetic_energy() const {
+    return 0.5 * particle_mass_ * state_.L_B.dot(state_.L_B.cwiseQuotient(I_B_));
+  }
 
  private:
   Corners corners_B_;

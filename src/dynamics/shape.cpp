@@ -28,7 +28,8 @@ Eigen::Quaterniond best_fit_orientation(const Corners& corners_W, const Corners&
   H /= scale;
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(H, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Matrix3d U = svd.matrixU();
-  if ((U * svd.matrixV().transpose()).determinant() < 0.0) U.col(2) = -U.col(2);  // the nearest rotation, not the mirror image
+  if ((U * svd.matrixV().transpose()).determinant() < 0.0)
+    U.col(2) = -U.col(2);  // the nearest rotation, not the mirror image
   const Eigen::Matrix3d R_WB = U * svd.matrixV().transpose();
   return Eigen::Quaterniond(R_WB).normalized();
 }

@@ -1,8 +1,8 @@
 // What the eight corners say: orientation, stretch, how far the book is from being a rotated copy of itself.
 //
-// The deformation F_WB is the least-squares linear map from the corners at rest to the corners now (about their mean); for the
-// rigid methods it is the method's own R. The orientation is the rotation nearest to F_WB in the same least-squares sense
-// (Kabsch, Acta Cryst. A32 (1976) 922, with each corner counting alike).
+// The deformation F_WB is the least-squares linear map from the corners at rest to the corners now (about their mean);
+// for the rigid methods it is the method's own R. The orientation is the rotation nearest to F_WB in the same
+// least-squares sense (Kabsch, Acta Cryst. A32 (1976) 922, with each corner counting alike).
 #pragma once
 
 #include <Eigen/Core>

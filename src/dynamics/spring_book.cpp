@@ -125,6 +125,8 @@ Eigen::Vector3d SpringBook::angular_momentum_W() const {
   return L_W;
 }
 
-double SpringBook::kinetic_energy() const { return 0.5 * particle_mass_ * v_W_.squaredNorm(); }
+double SpringBook::kinetic_energy() const {
+  return 0.5 * particle_mass_ * v_W_.squaredNorm();
+}
 
 }  // namespace bookspin

@@ -116,9 +116,21 @@ TorqueFree::TorqueFree(const Eigen::Vector3d& I_B, const Eigen::Quaterniond& q_W
   Vector3L direction;
   for (int i = 0; i < 3; ++i) direction[i] = (L_B[static_cast<std::size_t>(i)] / L).wide();
 
+  // b: the middle moment; a: the circled axis; c: the other.
+  std::array<std::size_t, 3> order{0, 1, 2};
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return I[i] < I[j]; });
+  auto [a, b, c] = order;
+  const auto weight = [&, b = b](std::size_t outer, std::size_t other) { return abs(I[b] - I[outer]) * I[other]; };
+  if (sqrt(weight(a, c)) * abs(L_B[a]) < sqrt(weight(c, a)) * abs(L_B[c])) std::swap(a, c);
+  const Dd G_a = weight(a, c);
+  const Dd G_c = weight(c, a);
+  const Dd X_a = sqrt(G_a) * abs(L_B[a]);
+  const Dd X_c = sqrt(G_c) * abs(L_B[c]);
+
+  // Steady when L x omega is zero, or so small that it underflows (X_a = 0).
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
-    if (L_B[i].hi != 0 && L_B[j].hi != 0 && (I[i] - I[j]).hi != 0) steady_ = false;
+    if (X_a.hi > 0 && L_B[i].hi != 0 && L_B[j].hi != 0 && (I[i] - I[j]).hi != 0) steady_ = false;
   }
   if (steady_) {
     turn_rate_ = twice_energy / (L * dd_pi * 4.0);
@@ -128,22 +140,13 @@ TorqueFree::TorqueFree(const Eigen::Vector3d& I_B, const Eigen::Quaterniond& q_W
     return;
   }
 
-  // b: the middle moment; a: the circled axis; c: the other.
-  std::array<std::size_t, 3> order{0, 1, 2};
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return I[i] < I[j]; });
-  auto [a, b, c] = order;
-  const auto weight = [&, b = b](std::size_t outer, std::size_t other) { return abs(I[b] - I[outer]) * I[other]; };
-  if (sqrt(weight(a, c)) * abs(L_B[a]) < sqrt(weight(c, a)) * abs(L_B[c])) std::swap(a, c);
-  const Dd G_a = weight(a, c);
-  const Dd G_c = weight(c, a);
+  // The formulas of torque_free.h, part 1.
   const Dd G_b = abs(I[c] - I[a]) * I[b];
   const Dd A_a = hypot(abs(L_B[a]), sqrt(G_c / G_b) * abs(L_B[b]));
   const Dd A_c = hypot(abs(L_B[c]), sqrt(G_a / G_b) * abs(L_B[b]));
   const Dd A_b = sqrt(G_b / G_a) * A_c;
 
   EllipticMotion motion;
-  const Dd X_a = sqrt(G_a) * abs(L_B[a]);
-  const Dd X_c = sqrt(G_c) * abs(L_B[c]);
   const Dd gap = X_a - X_c;
   if (gap.hi > 0x1p-96 * X_a.hi) motion.k_prime = sqrt(gap) * sqrt(X_a + X_c) / (sqrt(G_a) * A_a);
   motion.k = sqrt(G_c / G_a) * A_c / A_a;

@@ -17,13 +17,26 @@ constexpr double vertical_fov = 0.5235987755982988;  // 30 degrees, as in the or
 constexpr double margin = 1.04;                      // free space about the motion
 constexpr double middle_band = 0.88;                 // of the height: above it stands the title, below it the figures
 constexpr double name_offset = 1.16;                 // of a name below its book, in lengths of its half diagonal
-constexpr double head_up_line = 0.035;               // height of a line of figures; all in frame heights
-constexpr double head_up_column = 0.3;               // from one figure to the next
+constexpr double left_edge = 0.03;                   // of the title and what stands below it, in frame widths
+constexpr double title_y = 0.07;                     // base line; this and all below in frame heights
+constexpr double title_height = 0.04;
+constexpr double figure_height = 0.035;
+constexpr double line_height = 0.05;
 
 struct Sphere {
   Eigen::Vector3d center_W;
   double radius;
 };
+
+struct CameraAxes {
+  Eigen::Vector3d right_W, up_W, back_W;
+};
+
+CameraAxes camera_axes(const Eigen::Vector3d& from_W) {
+  const Eigen::Vector3d back_W = from_W.normalized();
+  const Eigen::Vector3d right_W = Eigen::Vector3d::UnitY().cross(back_W).normalized();
+  return {right_W, back_W.cross(right_W), back_W};
+}
 
 // The camera from which all spheres lie inside the four side planes of the picture.
 Camera camera_that_frames(const std::vector<Sphere>& spheres, const Eigen::Vector3d& from_W, double aspect) {
@@ -32,18 +45,16 @@ Camera camera_that_frames(const std::vector<Sphere>& spheres, const Eigen::Vecto
   Camera camera;
   camera.vertical_fov = vertical_fov;
   camera.target_W = box.center();
-  const Eigen::Vector3d back_W = from_W.normalized();
-  const Eigen::Vector3d right_W = Eigen::Vector3d::UnitY().cross(back_W).normalized();
-  const Eigen::Vector3d up_W = back_W.cross(right_W);
-  const double half_height = std::atan(middle_band * std::tan(vertical_fov / 2.0));
-  const double half_width = std::atan(aspect * std::tan(vertical_fov / 2.0));
+  const CameraAxes axes = camera_axes(from_W);
+  const double tan_half = std::tan(vertical_fov / 2.0);
   double distance = 0.0;
-  for (const auto& [axis_W, half] : {std::pair{right_W, half_width}, std::pair{up_W, half_height}}) {
-    // How far the spheres reach towards the two side planes that face along +-axis, were the eye at the target.
+  // Per direction: how far the spheres reach towards the two side planes that face along +-axis, were the eye at the
+  // target.
+  const auto frame_along = [&](const Eigen::Vector3d& axis_W, double half) {
     const auto reach = [&](double sign) {
+      const Eigen::Vector3d outward_W = sign * std::cos(half) * axis_W + std::sin(half) * axes.back_W;
       double farthest = -std::numeric_limits<double>::infinity();
       for (const Sphere& s : spheres) {
-        const Eigen::Vector3d outward_W = sign * std::cos(half) * axis_W + std::sin(half) * back_W;
         farthest = std::max(farthest, outward_W.dot(s.center_W - camera.target_W) + margin * s.radius);
       }
       return farthest;
@@ -52,8 +63,10 @@ Camera camera_that_frames(const std::vector<Sphere>& spheres, const Eigen::Vecto
     const double minus = reach(-1.0);
     camera.target_W += axis_W * ((plus - minus) / (2.0 * std::cos(half)));  // as much room on one side as on the other
     distance = std::max(distance, (plus + minus) / (2.0 * std::sin(half)));
-  }
-  camera.eye_W = camera.target_W + distance * back_W;
+  };
+  frame_along(axes.right_W, std::atan(aspect * tan_half));
+  frame_along(axes.up_W, std::atan(middle_band * tan_half));
+  camera.eye_W = camera.target_W + distance * axes.back_W;
   return camera;
 }
 
@@ -61,22 +74,25 @@ double half_diagonal(const BookSetup& setup) {
   return 0.5 * setup.options.size.norm();
 }
 
-Eigen::Vector3d name_anchor_W(const BookSetup& setup) {
-  return setup.position_W - Eigen::Vector3d(0.0, name_offset * half_diagonal(setup), 0.0);
+// Below the book in the picture: along the camera's down, not the world's.
+Eigen::Vector3d name_anchor_W(const Scene& scene, const BookSetup& setup) {
+  return setup.position_W - camera_axes(scene.view.from).up_W * (name_offset * half_diagonal(setup));
 }
 
 }  // namespace
 
 Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, double aspect)
-    : scene_(&scene), trajectory_(&trajectory), aspect_(aspect) {
+    : scene_(&scene), trajectory_(&trajectory) {
   std::vector<Sphere> spheres;
+  last_moving_frame_ = 0;
   for (std::size_t b = 0; b < scene.books.size(); ++b) {
     const BookSetup& setup = scene.books[b];
     const double unit = half_diagonal(setup);
+    last_moving_frame_ = std::max(last_moving_frame_, trajectory.books[b].exploded_frame.value_or(scene.clip.frames));
     double farthest = 1.0;
     for (int n = 0; n < scene.clip.frames; ++n) farthest = std::max(farthest, trajectory.books[b].shown(n).extent);
     spheres.push_back({setup.position_W, std::max(farthest * unit, overlay_reach(setup))});
-    if (!setup.name.empty()) spheres.push_back({name_anchor_W(setup), 0.1 * unit});
+    if (!setup.name.empty()) spheres.push_back({name_anchor_W(scene, setup), 0.1 * unit});
     if (!setup.show.axes) continue;
     for (int n = 0; n < scene.clip.frames; ++n) {
       Shot shot;
@@ -90,7 +106,7 @@ Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, double 
 Shot Storyboard::shot(int frame) const {
   Shot shot;
   shot.camera = camera_;
-  shot.labels.push_back(make_label(scene_->title, 0.04, palette::grey, {0.03, 0.07}, Align::left));
+  shot.labels.push_back(make_label(scene_->title, title_height, palette::grey, {left_edge, title_y}, Align::left));
   std::string notice;
   for (std::size_t b = 0; b < scene_->books.size(); ++b) {
     const BookSetup& setup = scene_->books[b];
@@ -101,7 +117,7 @@ Shot Storyboard::shot(int frame) const {
     add_overlays(shot, setup, track, frame);
     if (!setup.name.empty()) {
       Label name = make_label(setup.name, 0.042, palette::light, {0.0, 0.0});
-      name.anchor_W = name_anchor_W(setup);
+      name.anchor_W = name_anchor_W(*scene_, setup);
       shot.labels.push_back(name);
     }
     if (track.exploded_frame && frame >= *track.exploded_frame) {
@@ -110,39 +126,40 @@ Shot Storyboard::shot(int frame) const {
                       setup.name.empty() ? "" : setup.name + " ", *track.exploded_frame * scene_->clip.time_per_frame);
     }
   }
+  double y = title_y + 1.2 * line_height;
   if (!notice.empty()) {
-    shot.labels.push_back(make_label(notice, 0.04, palette::yellow, {0.03, 0.13}, Align::left));
+    shot.labels.push_back(make_label(notice, title_height, palette::yellow, {left_edge, y}, Align::left));
+    y += line_height;
   }
-  add_head_up(shot, frame);
+  add_head_up(shot, frame, y);
   return shot;
 }
 
-// The time, and the figures that the script names: in one line for one book, below each book's name for several.
-void Storyboard::add_head_up(Shot& shot, int frame) const {
+// Below the title, the time and the figures that the script names; for several books below each book's name. Never at
+// the bottom left, where a browser's controls lie over them.
+void Storyboard::add_head_up(Shot& shot, int frame, double y) const {
   const std::vector<const Quantity*>& quantities = scene_->view.head_up;
   if (quantities.empty()) return;
   const auto add = [&shot](const std::string& text, const Eigen::Vector2d& position, Align align) -> Label& {
-    shot.labels.push_back(make_label(text, head_up_line, palette::light, position, align));
+    shot.labels.push_back(make_label(text, figure_height, palette::light, position, align));
     shot.labels.back().tabular = true;
     return shot.labels.back();
   };
-  double x = 0.03;
-  add(fmt::format("t {:.1f}", frame * scene_->clip.time_per_frame), {x, 0.95}, Align::left);
+  add(fmt::format("t {:.1f}", std::min(frame, last_moving_frame_) * scene_->clip.time_per_frame), {left_edge, y},
+      Align::left);
   const bool one = std::count_if(scene_->books.begin(), scene_->books.end(),
                                  [](const BookSetup& book) { return book.style == Style::solid; }) <= 1;
   for (std::size_t b = 0; b < scene_->books.size(); ++b) {
     const BookSetup& setup = scene_->books[b];
     if (setup.style == Style::ghost && scene_->books.size() > 1) continue;
     const BookFrame& now = trajectory_->books[b].shown(frame);
-    double y = 0.05;
+    double below_name = 0.0;
     for (const Quantity* quantity : quantities) {
       const std::string text = head_up_text(*quantity, now);
       if (one) {
-        x += head_up_column / aspect_;
-        add(text, {x, 0.95}, Align::left);
+        add(text, {left_edge, y += line_height}, Align::left);
       } else {
-        add(text, {0.0, y}, Align::center).anchor_W = name_anchor_W(setup);
-        y += 0.05;
+        add(text, {0.0, below_name += line_height}, Align::center).anchor_W = name_anchor_W(*scene_, setup);
       }
     }
   }

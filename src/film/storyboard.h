@@ -20,12 +20,12 @@ class Storyboard {
   [[nodiscard]] Shot shot(int frame) const;  // frame: 0 ... scene.clip.frames - 1
 
  private:
-  void add_head_up(Shot& shot, int frame) const;
+  void add_head_up(Shot& shot, int frame, double y) const;  // y: of the first line, frame heights
 
   const Scene* scene_;
   const Trajectory* trajectory_;
-  double aspect_;
   Camera camera_;
+  int last_moving_frame_ = 0;  // when every book has exploded the clock stops
 };
 
 }  // namespace bookspin

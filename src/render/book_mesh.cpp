@@ -18,19 +18,18 @@ constexpr double groove_depth = 0.020 / thickness;
 constexpr double fore_edge_hollow = 0.045 / width;
 
 struct Divisions {
-  int rows;    // along v
-  int cover;   // along u, beside the groove
-  int spine;   // round the spine
-  int groove;  // across the groove
-  int across;  // through the pages, from cover to cover
-  int along;   // along u, on the pages' top and bottom
-  int inside;  // of the boards' and the spine's insides
+  int rows;        // along v
+  int cover;       // along u, beside the groove
+  int spine;       // round the spine
+  int groove = 4;  // across the groove
+  int across;      // through the pages, from cover to cover
+  int along;       // along u, on the pages' top and bottom
+  int inside;      // of the boards' and the spine's insides
 
   explicit Divisions(int fineness)
       : rows(4 * fineness),
         cover(3 * fineness),
         spine(4 + 4 * fineness),
-        groove(4),
         across(4 + 2 * fineness),
         along(4 * fineness),
         inside(fineness) {}

@@ -96,8 +96,8 @@ struct TextPainter::Fonts {
   Fonts() {
     check(FT_Init_FreeType(&library), BOOKSPIN_FONT_REGULAR, "start FreeType");
     try {
-      check(FT_New_Face(library, BOOKSPIN_FONT_REGULAR, 0, &faces[0]), BOOKSPIN_FONT_REGULAR, "open font");
-      check(FT_New_Face(library, BOOKSPIN_FONT_SEMIBOLD, 0, &faces[1]), BOOKSPIN_FONT_SEMIBOLD, "open font");
+      check(FT_New_Face(library, BOOKSPIN_FONT_REGULAR, 0, faces.data()), BOOKSPIN_FONT_REGULAR, "open font");
+      check(FT_New_Face(library, BOOKSPIN_FONT_SEMIBOLD, 0, faces.data() + 1), BOOKSPIN_FONT_SEMIBOLD, "open font");
     } catch (...) {
       FT_Done_FreeType(library);
       throw;

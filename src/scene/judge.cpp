@@ -40,15 +40,16 @@ Verdict judge_bound(const Expectation& e, const Bound& bound, const std::vector<
     verdict.text = fmt::format("{} {}: the film ends at frame {}", wanted, range, end - 1);
     return verdict;
   }
-  // The value that decides is the smallest for "at least" and "falls to", else the largest; for bounds on every frame a NaN decides.
+  // The value that decides is the smallest for "at least" and "falls to", else the largest; for bounds on every frame a
+  // NaN decides.
   const bool smallest = bound.from_below == bound.every;
   verdict.found = e.quantity->of(frames[static_cast<std::size_t>(e.first_frame)]);
   verdict.frame = e.first_frame;
   for (int n = e.first_frame + 1; n <= last; ++n) {
     const double value = e.quantity->of(frames[static_cast<std::size_t>(n)]);
     const bool worse = smallest ? value < verdict.found : value > verdict.found;
-    const bool nan_decides = bound.every ? std::isnan(value) && !std::isnan(verdict.found)
-                                         : !std::isnan(value) && std::isnan(verdict.found);
+    const bool nan_decides =
+        bound.every ? std::isnan(value) && !std::isnan(verdict.found) : !std::isnan(value) && std::isnan(verdict.found);
     if (worse || nan_decides) {
       verdict.found = value;
       verdict.frame = n;

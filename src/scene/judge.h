@@ -1,7 +1,8 @@
 // What a script expects of its film, judged on the simulated motion.
 //
-// at_least and at_most bind every frame of the range, and one value that is not a number breaks them; rises_to and falls_to must
-// be reached by some frame of it, which a value that is not a number never does. A range beyond the end of the film meets nothing.
+// at_least and at_most bind every frame of the range, and one value that is not a number breaks them; rises_to and
+// falls_to must be reached by some frame of it, which a value that is not a number never does. A range beyond the end
+// of the film meets nothing.
 #pragma once
 
 #include <string>
@@ -13,7 +14,7 @@
 namespace bookspin {
 
 struct Verdict {
-  std::string says;    // the expectation's words
+  std::string says;  // the expectation's words
   bool met = false;
   double found = 0.0;  // of all values in the range the one that decides: the smallest or the largest
   int frame = 0;       // where it was found

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <fstream>
 #include <limits>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 
+#include "scene/override.h"
 #include "scene/quantities.h"
 #include "scene/table_reader.h"
 #include "scene/toml.h"
@@ -20,12 +20,19 @@ namespace {
 
 constexpr std::array<std::string_view, 4> method_names{"springs", "matrix", "quaternion", "exact"};
 constexpr std::array<std::string_view, 2> style_names{"solid", "ghost"};
-constexpr std::array<std::string_view, 10> integrator_names{"explicit_euler", "semi_implicit_euler", "velocity_verlet", "rk4",
-                                                            "composition8",   "splitting2",          "splitting4",      "dmv2",
-                                                            "dmv6",           "dmv10"};
+constexpr std::array<std::string_view, 10> integrator_names{"explicit_euler",
+                                                            "semi_implicit_euler",
+                                                            "velocity_verlet",
+                                                            "rk4",
+                                                            "composition8",
+                                                            "splitting2",
+                                                            "splitting4",
+                                                            "dmv2",
+                                                            "dmv6",
+                                                            "dmv10"};
 
 constexpr int most_frames = 100000;       // half an hour at 60 frames a second
-constexpr int most_book_frames = 400000;  // books times frames: what a trajectory may take of memory
+constexpr int most_book_frames = 300000;  // books times frames: what a trajectory may take of memory
 constexpr int most_books = 8;
 
 Range positive() {
@@ -89,11 +96,13 @@ void read_show(TableReader& reader, Show& show) {
                                                                  {"trace", &show.trace},
                                                                  {"springs", &show.springs}}};
   std::vector<std::string_view> words;
+  words.reserve(parts.size());
   for (const auto& [word, flag] : parts) words.push_back(word);
   for (const std::size_t i : reader.read_words("show", words)) *parts[i].second = true;
 }
 
-// Words that `integrator` may be for a method, for an error that lists them; empty for the exact motion, which takes no steps.
+// Words that `integrator` may be for a method, for an error that lists them; empty for the exact motion, which takes no
+// steps.
 std::vector<std::string_view> integrators_of(Method method, bool damped) {
   switch (method) {
     case Method::springs:
@@ -119,7 +128,8 @@ void check_integrator(TableReader& reader, const BookSetup& book) {
   if (allowed.empty()) reader.fail(*node, "integrator", "none: the exact motion takes no steps");
   const std::string_view with = book.method == Method::springs && damped ? " with damping" : "";
   const std::string_view hint = with.empty() ? "" : "; velocity_verlet and composition8 need damping = false";
-  reader.fail(*node, "integrator", fmt::format("for {}{} one of {}{}", name_of(book.method), with, fmt::join(allowed, ", "), hint));
+  reader.fail(*node, "integrator",
+              fmt::format("for {}{} one of {}{}", name_of(book.method), with, fmt::join(allowed, ", "), hint));
 }
 
 BookSetup read_book(const toml::table& table, const std::string& path) {
@@ -233,79 +243,10 @@ Scene read_scene(const toml::table& table) {
   return scene;
 }
 
-toml::table parse(std::string_view text, const std::string& name) {
-  try {
-    return toml::parse(text, name);
-  } catch (const toml::parse_error& error) {
-    throw std::invalid_argument(location(error.source()) + std::string(error.description()));
-  }
-}
-
-std::optional<std::size_t> index(std::string_view text) {
-  std::size_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return {};
-  return value;
-}
-
-// "book.0.method=matrix" -> table["book"][0]["method"] = "matrix"
-void apply_override(toml::table& scene, const std::string& text) {
-  const std::string source = "--set " + text;
-  const auto fail = [&source](const std::string& what) { throw std::invalid_argument(source + ": " + what); };
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0) fail("allowed: KEY=VALUE, such as book.0.method=matrix");
-  const std::string value_text = text.substr(equals + 1);
-  toml::table value;
-  try {
-    value = toml::parse("value = " + value_text, source);
-  } catch (const toml::parse_error&) {
-    std::ostringstream quoted;  // a bare word is a text
-    quoted << "value = " << toml::value<std::string>(value_text);
-    value = parse(quoted.str(), source);
-  }
-  if (value.size() != 1) fail("allowed: one value");
-  // What is put into the scene knows where it came from, key and value, for the messages.
-  const auto put = [&source](toml::table& table, std::string_view key, toml::node& node) {
-    const toml::table keyed = parse(fmt::format("'{}' = 0", key), source);
-    table.insert_or_assign(keyed.cbegin()->first, std::move(node));
-  };
-  toml::node* at = &scene;
-  std::string_view path = std::string_view(text).substr(0, equals);
-  while (true) {
-    const std::size_t dot = path.find('.');
-    const std::string_view key = path.substr(0, dot);
-    const bool last = dot == std::string_view::npos;
-    if (toml::array* list = at->as_array()) {
-      const std::optional<std::size_t> i = index(key);
-      if (!i || *i >= list->size())
-        fail(fmt::format("there is no '{}' in a list of {}, counted from 0", key, list->size()));
-      if (last) {
-        list->replace(list->cbegin() + static_cast<std::ptrdiff_t>(*i), std::move(*value.get("value")));
-        return;
-      }
-      at = list->get(*i);
-    } else if (toml::table* table = at->as_table()) {
-      if (last) {
-        put(*table, key, *value.get("value"));
-        return;
-      }
-      if (!table->contains(key)) {
-        if (key == "book" || key == "expect") fail(fmt::format("the scene has no {}", key));
-        toml::table empty = parse("value = {}", source);
-        put(*table, key, *empty.get("value"));
-      }
-      at = table->get(key);
-    } else {
-      fail(fmt::format("'{}' is below a value, not a table", key));
-    }
-    path.remove_prefix(dot + 1);
-  }
-}
-
 }  // namespace
 
 Scene parse_scene(std::string_view text, const std::string& name, std::span<const std::string> overrides) {
-  toml::table table = parse(text, name);
+  toml::table table = parse_toml(text, name);
   for (const std::string& text_of_one : overrides) apply_override(table, text_of_one);
   return read_scene(table);
 }

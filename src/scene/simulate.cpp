@@ -83,9 +83,9 @@ BookFrame non_finite_frame(const BookFrame& before) {
   f.corners_W.setConstant(nan);
   f.q_WB.coeffs().setConstant(nan);
   f.L_W.setConstant(nan);
-  for (double* value : {&f.kinetic_energy, &f.elastic_energy, &f.energy_ratio, &f.angular_momentum_ratio, &f.stretch,
-                        &f.extent, &f.tilt, &f.norm, &f.largest_singular_value, &f.orthogonality_defect,
-                        &f.blend_defect, &f.angle_error}) {
+  for (double* value :
+       {&f.kinetic_energy, &f.elastic_energy, &f.energy_ratio, &f.angular_momentum_ratio, &f.stretch, &f.extent,
+        &f.tilt, &f.norm, &f.largest_singular_value, &f.orthogonality_defect, &f.blend_defect, &f.angle_error}) {
     *value = nan;
   }
   f.exploded = true;
@@ -115,7 +115,7 @@ class Recorder {
   template <class Book>
   void record(const Book& book, double t) {
     const bool first = track_.frames.empty();
-    const Corners corners_W = book.corners_W();
+    const Corners& corners_W = book.corners_W();
     const double extent_now = extent(corners_W, corners_B_);
     if (!first && (!std::isfinite(extent_now) || !track_.frames.back().corners_W.allFinite())) {
       push(non_finite_frame(track_.frames.back()));

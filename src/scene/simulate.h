@@ -1,7 +1,7 @@
 // Scene -> Trajectory: every book of a scene, from the start to the last frame.
 //
-// All books start from their angular velocity plus jiggle |omega| u, where u is one random unit vector that the scene's seed
-// alone decides (Mersenne twister mt19937_64, Marsaglia's rejection in the cube; no library distribution, whose
+// All books start from their angular velocity plus jiggle |omega| u, where u is one random unit vector that the scene's
+// seed alone decides (Mersenne twister mt19937_64, Marsaglia's rejection in the cube; no library distribution, whose
 // results the standard leaves open). Time is frame * time_per_frame, with a whole number of steps a frame.
 #pragma once
 

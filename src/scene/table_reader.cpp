@@ -59,7 +59,8 @@ std::string shown(const toml::node& node) {
   }
   std::size_t length = 60;
   if (text.size() <= length) return text;
-  while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) --length;  // no letter is cut in two
+  while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U)
+    --length;  // no letter is cut in two
   return text.substr(0, length) + " ...";
 }
 

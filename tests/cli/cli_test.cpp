@@ -52,6 +52,10 @@ TEST_F(Cli, HelpOfEveryCommandHasAnExample) {
   }
 }
 
+TEST_F(Cli, PageHasAnExampleToo) {
+  EXPECT_THAT((*this)("page --help").out, HasSubstr("  bookspin page videos/site"));
+}
+
 TEST_F(Cli, ListsTheFiguresOfTheProjectAndOfAFolder) {
   EXPECT_THAT((*this)("list").out, HasSubstr("fig05_unstable_x.toml"));
   const Said said = (*this)("list .");
@@ -145,8 +149,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadCall{"nothing", "", 2, "A subcommand is required"},
         BadCall{"unknown_command", "film mine.toml", 2, "subcommand is required"},
-        BadCall{"unknown_option", "check mine.toml --fast", 2, "--fast"},
-        BadCall{"no_scene", "render", 2, "SCENE"},
+        BadCall{"unknown_option", "check mine.toml --fast", 2, "--fast"}, BadCall{"no_scene", "render", 2, "SCENE"},
         BadCall{"missing_file", "render nowhere.toml -o .", 1, "nowhere.toml: cannot be read"},
         BadCall{"bad_value", "render bad.toml -o .", 1,
                 "bad.toml:3:13: book.0.stiffness: found -3; allowed: a number more than 0"},
@@ -156,14 +159,17 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{"override_of_no_book", "check mine.toml --set book.4.jiggle=0", 1,
                 "--set book.4.jiggle=0: there is no '4' in a list of 1"},
         BadCall{"override_without_value", "check mine.toml --set seed", 1, "allowed: KEY=VALUE"},
-        BadCall{"odd_size", "render mine.toml -o . --size 161x90", 1, "--size: found '161x90'; allowed: WxH, both even"},
+        BadCall{"odd_size", "render mine.toml -o . --size 161x90", 1,
+                "--size: found '161x90'; allowed: WxH, both even"},
         BadCall{"size_in_words", "render mine.toml -o . --size big", 1, "--size: found 'big'"},
         BadCall{"size_too_large", "frame mine.toml --frame 0 -o a.png --size 9000x9000", 1, "from 16 to 4096"},
         BadCall{"frames_reversed", "render mine.toml -o . --frames 8:3", 1, "--frames: found '8:3'; allowed: A:B"},
-        BadCall{"frames_beyond", "render mine.toml -o . --frames 0:13", 1, "found frames 0:13; allowed: A:B with 0 <= A < B <= 12"},
+        BadCall{"frames_beyond", "render mine.toml -o . --frames 0:13", 1,
+                "found frames 0:13; allowed: A:B with 0 <= A < B <= 12"},
         BadCall{"frame_beyond", "frame mine.toml --frame 12 -o a.png", 1, "--frame: found '12'; allowed: 0 to 11"},
         BadCall{"unwritable", "render mine.toml -o /proc/nowhere --size 64x36", 1, "/proc/nowhere"},
         BadCall{"trajectory_nowhere", "trajectory mine.toml -o nowhere/a.csv", 1, "nowhere/a.csv: cannot be opened"},
+        BadCall{"page_without_films", "page .", 1, ".json: is missing; `bookspin render "},
         BadCall{"twice", "render mine.toml ./mine.toml -o .", 1, "would make the same film"}),
     [](const auto& param_info) { return param_info.param.name; });
 
@@ -175,7 +181,8 @@ TEST_F(Cli, AFullDiskIsAnError) {
 
 // Ctrl-C in the middle of a long film.
 TEST_F(Cli, AnInterruptLeavesNothingHalfMade) {
-  const Said said = run(scratch, "timeout -s INT 2 " + bookspin + "render mine.toml -o films --set clip.frames=100000 --set clip.substeps=1");
+  const Said said = run(scratch, "timeout -s INT 2 " + bookspin +
+                                     "render mine.toml -o films --set clip.frames=100000 --set clip.substeps=1");
   EXPECT_NE(said.exit_code, 0);
   EXPECT_THAT(said.err, HasSubstr("bookspin: stopped"));
   EXPECT_TRUE(fs::is_empty(scratch / "films"));

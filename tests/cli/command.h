@@ -19,7 +19,8 @@ struct Said {
 inline Said run(const Scratch& scratch, const std::string& command) {
   const std::string out = (scratch / ".out").string();
   const std::string err = (scratch / ".err").string();
-  const int status = std::system(("cd " + scratch.folder().string() + " && " + command + " >" + out + " 2>" + err + " </dev/null").c_str());
+  const int status = std::system(
+      ("cd " + scratch.folder().string() + " && " + command + " >" + out + " 2>" + err + " </dev/null").c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(out), read_text(err)};
 }
 

@@ -1,5 +1,5 @@
-// The front door's first step, install-packages, on machines that we are not on: stand-ins for Debian's programs come first on
-// PATH, and say what they were asked to do.
+// The front door's first step, install-packages, on machines that we are not on: stand-ins for Debian's programs come
+// first on PATH, and say what they were asked to do.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,9 +18,9 @@ struct Packages : testing::Test {
   Packages() {
     fs::create_directory(scratch / "bin");
     for (const char* tool : {"sh", "grep", "sed", "cat", "dirname", "mktemp", "rm", "tail", "env", "touch"}) {
-      fs::create_symlink(fs::exists(std::string("/usr/bin/") + tool) ? std::string("/usr/bin/") + tool
-                                                                      : std::string("/bin/") + tool,
-                         scratch / ("bin/" + std::string(tool)));
+      fs::create_symlink(
+          fs::exists(std::string("/usr/bin/") + tool) ? std::string("/usr/bin/") + tool : std::string("/bin/") + tool,
+          scratch / ("bin/" + std::string(tool)));
     }
     fs::copy_file(std::string(BOOKSPIN_SOURCE_DIR) + "/install-packages", scratch / "install-packages");
     write_text(scratch / "apt-packages.txt", "here\nmissing-one\nmissing-two\n");

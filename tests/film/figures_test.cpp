@@ -32,7 +32,9 @@ std::vector<std::string> figures() {
   return names;
 }
 
-fs::path script(const std::string& figure) { return project / "videos" / (figure + ".toml"); }
+fs::path script(const std::string& figure) {
+  return project / "videos" / (figure + ".toml");
+}
 
 class Figure : public testing::TestWithParam<std::string> {};
 
@@ -104,4 +106,6 @@ TEST(Figures, AllOfThePapersAreThere) {
 }  // namespace
 }  // namespace bookspin
 
-int main(int argc, char** argv) { return bookspin::run_tests_with_goldens(argc, argv, "film"); }
+int main(int argc, char** argv) {
+  return bookspin::run_tests_with_goldens(argc, argv, "film");
+}

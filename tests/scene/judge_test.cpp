@@ -332,8 +332,9 @@ TEST(Quantities, read_the_field_of_their_name) {
   f.orthogonality_defect = 10;
   f.blend_defect = 11;
   f.pulsations = 12;
-  f.extent = 13;
-  f.floor_hits = 14;
+  f.angle_error = 13;
+  f.extent = 14;
+  f.floor_hits = 15;
   f.exploded = true;
   const char* names[] = {"tilt",
                          "flips",
@@ -347,6 +348,7 @@ TEST(Quantities, read_the_field_of_their_name) {
                          "orthogonality_defect",
                          "blend_defect",
                          "pulsations",
+                         "angle_error",
                          "extent",
                          "floor_hits"};
   double expected = 0;

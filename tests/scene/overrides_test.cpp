@@ -38,11 +38,11 @@ TEST(Overrides, reach_every_key_of_the_scene_the_clip_and_the_view) {
 }
 
 TEST(Overrides, reach_every_key_of_a_book) {
-  const Scene scene =
-      with({"book.1.name=left one", "book.1.method=quaternion", "book.1.integrator=explicit_euler",
-            "book.1.size=[2, 3, 0.25]", "book.1.angular_velocity=[0.5, -0.25, 1]", "book.1.jiggle=1e-3",
-            "book.1.normalize=false", "book.1.normalize_every=7", "book.1.damping=0.5", "book.1.stiffness=20",
-            "book.1.particle_mass=0.125", "book.1.position=[-1, 0, 2]", "book.1.style=ghost", "book.1.show_axes=true"});
+  const Scene scene = with({"book.1.name=left one", "book.1.method=quaternion", "book.1.integrator=explicit_euler",
+                            "book.1.size=[2, 3, 0.25]", "book.1.angular_velocity=[0.5, -0.25, 1]", "book.1.jiggle=1e-3",
+                            "book.1.normalize=false", "book.1.normalize_every=7", "book.1.damping=0.5",
+                            "book.1.stiffness=20", "book.1.particle_mass=0.125", "book.1.position=[-1, 0, 2]",
+                            "book.1.style=ghost", "book.1.show=['axes', 'trace']", "view.head_up=['tilt', 'flips']"});
   const BookSetup& book = scene.books[1];
   EXPECT_EQ(book.name, "left one");
   EXPECT_EQ(book.method, Method::quaternion);
@@ -57,7 +57,11 @@ TEST(Overrides, reach_every_key_of_a_book) {
   EXPECT_EQ(book.options.particle_mass, 0.125);
   EXPECT_EQ(book.position_W, Eigen::Vector3d(-1, 0, 2));
   EXPECT_EQ(book.style, Style::ghost);
-  EXPECT_TRUE(book.show_axes);
+  EXPECT_TRUE(book.show.axes);
+  EXPECT_TRUE(book.show.trace);
+  EXPECT_FALSE(book.show.springs);
+  ASSERT_EQ(scene.view.head_up.size(), 2U);
+  EXPECT_EQ(scene.view.head_up[1], find_quantity("flips"));
 
   const BookSetup untouched = scene.books[0];
   const BookSetup defaults;
@@ -91,7 +95,7 @@ TEST(Overrides, reach_one_number_of_a_list_and_whole_tables) {
   EXPECT_EQ(clip.frames, 3);
   EXPECT_EQ(clip.substeps, 2);
   EXPECT_EQ(clip.fps, 60);
-  EXPECT_EQ(with({"book=[{method='springs'}, {}, {show_axes=true}]"}).books.size(), 3U);
+  EXPECT_EQ(with({"book=[{method='springs'}, {}, {show=['axes']}]"}).books.size(), 3U);
   EXPECT_EQ(with({"book.1={name='b'}"}).books[1].options.size, BookOptions{}.size);
 }
 

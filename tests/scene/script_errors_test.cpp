@@ -39,10 +39,10 @@ const BadScript bad_scripts[] = {
     {"unknown_key_in_clip", "title = \"T\"\n[clip]\n  frame = 3\n[[book]]\n",
      "s.toml:3:3: clip.frame: unknown key; allowed here: fps, frames, substeps, time_per_frame"},
     {"unknown_key_in_view", "title = \"T\"\n[view]\nto = 3\n[[book]]\n",
-     "s.toml:3:1: view.to: unknown key; allowed here: from"},
+     "s.toml:3:1: view.to: unknown key; allowed here: from, head_up"},
     {"unknown_key_in_book", "title = \"T\"\n[[book]]\nmetod = \"matrix\"\n",
      "s.toml:3:1: book.0.metod: unknown key; allowed here: angular_velocity, damping, integrator, jiggle, method, "
-     "name, normalize, normalize_every, particle_mass, position, show_axes, size, stiffness, style"},
+     "name, normalize, normalize_every, particle_mass, position, show, size, stiffness, style"},
     {"unknown_key_in_expect", "title = \"T\"\n[[book]]\n[[expect]]\nquantity = \"tilt\"\nat_most = 1\nat_mots = 2\n",
      "s.toml:6:1: expect.0.at_mots: unknown key; allowed here: at_least, at_most, book, falls_to, frame, frames, "
      "quantity, rises_to, says"},
@@ -81,9 +81,9 @@ const BadScript bad_scripts[] = {
      "s.toml:3:1: expect: found a table; allowed: one or more tables [[expect]]"},
     {"nine_books",
      "title = \"T\"\n[[book]]\n[[book]]\n[[book]]\n[[book]]\n[[book]]\n[[book]]\n[[book]]\n[[book]]\n[[book]]\n",
-     "s.toml:2:1: book: found 9 books of 900 frames; allowed: up to 8 books, and books x frames up to 400000"},
+     "s.toml:2:1: book: found 9 books of 900 frames; allowed: up to 8 books, and books x frames up to 300000"},
     {"too_much_memory", "title = \"T\"\n[clip]\nframes = 100000\n[[book]]\n[[book]]\n[[book]]\n[[book]]\n[[book]]\n",
-     "s.toml:4:1: book: found 5 books of 100000 frames; allowed: up to 8 books, and books x frames up to 400000"},
+     "s.toml:4:1: book: found 5 books of 100000 frames; allowed: up to 8 books, and books x frames up to 300000"},
     {"frames_zero", "title = \"T\"\n[clip]\nframes = 0\n[[book]]\n",
      "s.toml:3:10: clip.frames: found 0; allowed: a whole number from 1 to 100000"},
     {"frames_too_many", "title = \"T\"\n[clip]\nframes = 100001\n[[book]]\n",
@@ -133,11 +133,13 @@ const BadScript bad_scripts[] = {
     {"name_no_text", "title = \"T\"\n[[book]]\nname = 3\n",
      "s.toml:3:8: book.0.name: found 3; allowed: a text in quotes"},
     {"method_unknown", "title = \"T\"\n[[book]]\nmethod = \"magic\"\n",
-     "s.toml:3:10: book.0.method: found 'magic'; allowed: one of \"springs\", \"matrix\", \"quaternion\""},
+     "s.toml:3:10: book.0.method: found 'magic'; allowed: one of \"springs\", \"matrix\", \"quaternion\", \"exact\""},
     {"method_a_number", "title = \"T\"\n[[book]]\nmethod = 1\n",
-     "s.toml:3:10: book.0.method: found 1; allowed: one of \"springs\", \"matrix\", \"quaternion\""},
-    {"integrator_unknown", "title = \"T\"\n[[book]]\nintegrator = \"rk4\"\n",
-     "s.toml:3:14: book.0.integrator: found 'rk4'; allowed: one of \"explicit_euler\""},
+     "s.toml:3:10: book.0.method: found 1; allowed: one of \"springs\", \"matrix\", \"quaternion\", \"exact\""},
+    {"integrator_unknown", "title = \"T\"\n[[book]]\nintegrator = \"rk5\"\n",
+     "s.toml:3:14: book.0.integrator: found 'rk5'; allowed: one of \"explicit_euler\", \"semi_implicit_euler\", "
+     "\"velocity_verlet\", "
+     "\"rk4\", \"composition8\", \"splitting2\", \"splitting4\", \"dmv2\", \"dmv6\", \"dmv10\""},
     {"size_zero", "title = \"T\"\n[[book]]\nsize = [1, 0, 1]\n",
      "s.toml:3:8: book.0.size: found [1, 0, 1]; allowed: a list of three numbers [x, y, z], each a number from 1e-06 "
      "to 1e+06"},
@@ -180,19 +182,24 @@ const BadScript bad_scripts[] = {
      "-1e+06 and 1e+06"},
     {"style_unknown", "title = \"T\"\n[[book]]\nstyle = \"wire\"\n",
      "s.toml:3:9: book.0.style: found 'wire'; allowed: one of \"solid\", \"ghost\""},
-    {"axes_a_text", "title = \"T\"\n[[book]]\nshow_axes = \"yes\"\n",
-     "s.toml:3:13: book.0.show_axes: found 'yes'; allowed: true or false"},
+    {"show_a_text", "title = \"T\"\n[[book]]\nshow = \"axes\"\n",
+     "s.toml:3:8: book.0.show: found 'axes'; allowed: a list of \"axes\", \"angular_velocity\", "
+     "\"angular_momentum\", \"trace\", \"springs\""},
+    {"show_what_is_not_there", "title = \"T\"\n[[book]]\nshow = [\"axes\", \"shadow\"]\n",
+     "s.toml:3:17: book.0.show: found 'shadow'; allowed: a list of \"axes\", \"angular_velocity\", "
+     "\"angular_momentum\", \"trace\", \"springs\""},
     {"second_book", "title = \"T\"\n[[book]]\n[[book]]\n  size = 1\n",
      "s.toml:4:10: book.1.size: found 1; allowed: a list of three numbers [x, y, z], each a number from 1e-06 to "
      "1e+06"},
     {"quantity_missing", "title = \"T\"\n[[book]]\n[[expect]]\nat_most = 1\n",
      "s.toml:3:1: expect.0.quantity: is missing; allowed: one of tilt, flips, stretch, kinetic_energy, elastic_energy, "
      "energy_ratio, angular_momentum_ratio, norm, largest_singular_value, orthogonality_defect, blend_defect, "
-     "pulsations, extent, floor_hits, exploded"},
+     "pulsations, angle_error, extent, floor_hits, exploded"},
     {"quantity_unknown", "title = \"T\"\n[[book]]\n[[expect]]\nquantity = \"tlt\"\nat_most = 1\n",
      "s.toml:4:12: expect.0.quantity: found 'tlt'; allowed: one of \"tilt\", \"flips\", \"stretch\", "
      "\"kinetic_energy\", \"elastic_energy\", \"energy_ratio\", \"angular_momentum_ratio\", \"norm\", "
-     "\"largest_singular_value\", \"orthogonality_defect\", \"blend_defect\", \"pulsations\", \"extent\", "
+     "\"largest_singular_value\", \"orthogonality_defect\", \"blend_defect\", \"pulsations\", \"angle_error\", "
+     "\"extent\", "
      "\"floor_hits\", \"exploded\""},
     {"expect_of_no_such_book", "title = \"T\"\n[[book]]\n[[expect]]\nquantity = \"tilt\"\nbook = 1\nat_most = 2\n",
      "s.toml:5:8: expect.0.book: found 1; allowed: a whole number from 0 to 0"},
@@ -263,7 +270,7 @@ const BadOverride bad_overrides[] = {
     {"clip.frames.x=3", "--set clip.frames.x=3: 'x' is below a value, not a table"},
     {"book.0.method=magic",
      "--set book.0.method=magic: book.0.method: found 'magic'; allowed: one of \"springs\", \"matrix\", "
-     "\"quaternion\""},
+     "\"quaternion\", \"exact\""},
     {"book.1.method=matrix", "--set book.1.method=matrix: there is no '1' in a list of 1, counted from 0"},
     {"book.x.method=matrix", "--set book.x.method=matrix: there is no 'x' in a list of 1, counted from 0"},
     {"book.-1.method=matrix", "--set book.-1.method=matrix: there is no '-1' in a list of 1, counted from 0"},
@@ -272,7 +279,7 @@ const BadOverride bad_overrides[] = {
     {"book.0=3", "--set book.0=3: book.0: found 3; allowed: a table [[book]]"},
     {"book.0.=3",
      "--set book.0.=3: book.0.: unknown key; allowed here: angular_velocity, damping, integrator, jiggle, method, "
-     "name, normalize, normalize_every, particle_mass, position, show_axes, size, stiffness, style"},
+     "name, normalize, normalize_every, particle_mass, position, show, size, stiffness, style"},
     {"=3", "--set =3: allowed: KEY=VALUE, such as book.0.method=matrix"},
     {"clip", "--set clip: allowed: KEY=VALUE, such as book.0.method=matrix"},
     {"clip.substeps", "--set clip.substeps: allowed: KEY=VALUE, such as book.0.method=matrix"},

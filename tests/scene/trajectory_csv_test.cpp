@@ -47,7 +47,7 @@ TEST(TrajectoryCsv, has_its_header) {
   EXPECT_EQ(
       trajectory_csv_header(),
       "frame,t,book,c0x,c0y,c0z,c1x,c1y,c1z,c2x,c2y,c2z,c3x,c3y,c3z,c4x,c4y,c4z,c5x,c5y,c5z,c6x,c6y,c6z,c7x,c7y,c7z,"
-      "qw,qx,qy,qz,Lx,Ly,Lz,kinetic_energy,elastic_energy,stretch");
+      "qw,qx,qy,qz,Lx,Ly,Lz,kinetic_energy,elastic_energy,stretch,angle_error");
 }
 
 TEST(TrajectoryCsv, has_a_row_a_frame_and_book_whose_numbers_come_back) {
@@ -68,7 +68,7 @@ TEST(TrajectoryCsv, has_a_row_a_frame_and_book_whose_numbers_come_back) {
         for (int d = 0; d < 3; ++d) expected.push_back(f.corners_W(d, i));
       }
       expected.insert(expected.end(), {f.q_WB.w(), f.q_WB.x(), f.q_WB.y(), f.q_WB.z(), f.L_W.x(), f.L_W.y(), f.L_W.z(),
-                                       f.kinetic_energy, f.elastic_energy, f.stretch});
+                                       f.kinetic_energy, f.elastic_energy, f.stretch, f.angle_error});
       for (std::size_t i = 0; i < expected.size(); ++i) {
         if (std::isnan(expected[i])) {
           EXPECT_EQ(cells[3 + i], "nan");
@@ -104,7 +104,7 @@ TEST(TrajectoryCsv, says_nan_where_there_is_no_number) {
   ASSERT_FALSE(trajectory.books[1].frames.back().corners_W.allFinite());
   const std::vector<std::string> rows = split(trajectory_csv_rows(scene, trajectory, 399), '\n');
   std::string expected = "399,279.29999999999995,1";
-  for (int i = 0; i < 34; ++i) expected += ",nan";
+  for (int i = 0; i < 35; ++i) expected += ",nan";
   EXPECT_EQ(rows[1], expected);
   EXPECT_EQ(whole_csv(scene, trajectory).find("inf"), std::string::npos);
 }

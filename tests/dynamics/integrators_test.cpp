@@ -1,0 +1,304 @@
+// The integrators beyond the paper's: order, conserved quantities, agreement.
+//
+// Rigid: against the exact motion; springs: against tests/data/reference/ref_springs.txt (undamped, 60 samples to T =
+// 200, 24 positions then 24 velocities, good to 2e-12). A measured value holds for both compilers unless it says
+// otherwise.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "dynamics/rigid_book.h"
+#include "dynamics/rigid_motion.h"
+#include "dynamics/shape.h"
+#include "dynamics/spring_book.h"
+#include "tolerance.h"
+
+namespace bookspin {
+namespace {
+
+using Eigen::Vector3d;
+
+// An irregular body, tumbling: no symmetry that could hide an error of low order (the paper's book is close to a flat
+// plate).
+BookOptions tumbling(Integrator integrator) {
+  BookOptions o;
+  o.size = {1.0, 1.7, 2.2};
+  o.omega_W = {0.6, 0.5, 0.4};
+  o.integrator = integrator;
+  return o;
+}
+
+struct RigidErrors {
+  double angle = 0.0, L_W = 0.0,
+         energy = 0.0;  // the largest of 60 samples; of L_W and the energy relative to the start
+};
+
+RigidErrors errors_of(const BookOptions& o, double T, int steps) {
+  const TorqueFree exact = exact_motion(o);
+  FreeBook book(o);
+  const Vector3d L_W = book.angular_momentum_W();
+  const double energy = book.kinetic_energy();
+  RigidErrors worst;
+  for (int sample = 1; sample <= 60; ++sample) {
+    for (int n = 0; n < steps / 60; ++n) book.step(T / steps);
+    worst.angle = std::max(worst.angle, geodesic_angle(book.q_WB(), exact.at(T * sample / 60).q_WB));
+    worst.L_W = std::max(worst.L_W, (book.angular_momentum_W() - L_W).norm() / L_W.norm());
+    worst.energy = std::max(worst.energy, std::abs(book.kinetic_energy() / energy - 1.0));
+  }
+  return worst;
+}
+
+struct OrderCase {
+  const char* name;
+  Integrator integrator;
+  int steps;        // coarse; the fine run takes twice as many
+  double order;     // promised
+  double accuracy;  // of the order
+  double error;     // of the fine run, radians
+};
+
+class RigidOrder : public testing::TestWithParam<OrderCase> {};
+
+TEST_P(RigidOrder, is_as_promised) {
+  const OrderCase& c = GetParam();
+  const BookOptions o = tumbling(c.integrator);
+  const double coarse = errors_of(o, 60.0, c.steps).angle;
+  const double fine = errors_of(o, 60.0, 2 * c.steps).angle;
+  EXPECT_NEAR(std::log2(coarse / fine), c.order, tolerance(c.accuracy));
+  EXPECT_LE(fine, tolerance(c.error));
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, RigidOrder,
+                         testing::Values(  // Measured: orders 4.046, 2.0002, 3.9994, 2.0002, 6.018, 10.04;
+                                           // errors 2.7e-7, 2.6e-4, 4.3e-8, 1.6e-3, 2.4e-8, 1.5e-12.
+                             OrderCase{"rk4", Integrator::rk4, 480, 4.0, 0.1, 1e-6},
+                             OrderCase{"splitting2", Integrator::splitting2, 480, 2.0, 0.001, 5e-4},
+                             OrderCase{"splitting4", Integrator::splitting4, 240, 4.0, 0.003, 1e-7},
+                             OrderCase{"dmv2", Integrator::dmv2, 1920, 2.0, 0.001, 3e-3},
+                             OrderCase{"dmv6", Integrator::dmv6, 240, 6.0, 0.04, 5e-8},
+                             OrderCase{"dmv10", Integrator::dmv10, 120, 10.0, 0.15, 5e-12}),
+                         [](const auto& param) { return std::string(param.param.name); });
+
+TEST(RigidInvariants, angular_momentum_and_energy) {
+  struct Kept {
+    Integrator integrator;
+    double L_W, energy;
+  };
+  for (const Kept& kept : {Kept{Integrator::splitting2, 3e-13, 6e-5},  // measured: 2.4e-14, 3.2e-5
+                           Kept{Integrator::splitting4, 3e-13, 4e-9},  // measured: 6.3e-14, 2.1e-9
+                           Kept{Integrator::dmv2, 3e-13, 3e-14},       // measured: 1.6e-14, 3.6e-15
+                           Kept{Integrator::dmv6, 3e-13, 3e-14},       // measured: 2.3e-14, 6.2e-15
+                           Kept{Integrator::dmv10, 3e-13, 3e-14},      // measured: 2.1e-14, 4.2e-15
+                           Kept{Integrator::rk4, 3e-7, 2e-7}}) {       // measured: 1.5e-7, 7.7e-8
+    const RigidErrors e = errors_of(tumbling(kept.integrator), 600.0, 6000);
+    EXPECT_LE(e.L_W, tolerance(kept.L_W)) << static_cast<int>(kept.integrator);
+    EXPECT_LE(e.energy, tolerance(kept.energy)) << static_cast<int>(kept.integrator);
+  }
+}
+
+// The splitting's energy swings and does not drift; RK4's drifts.
+TEST(RigidInvariants, energy_of_the_splitting_does_not_drift) {
+  const double once = errors_of(tumbling(Integrator::splitting2), 60.0, 300).energy;
+  const double long_after = errors_of(tumbling(Integrator::splitting2), 60000.0, 300000).energy;
+  EXPECT_LE(long_after / once, tolerance(1.1));  // measured: 0.992
+  const double rk4_once = errors_of(tumbling(Integrator::rk4), 60.0, 300).energy;
+  const double rk4_long_after = errors_of(tumbling(Integrator::rk4), 600.0, 3000).energy;
+  EXPECT_GE(rk4_long_after / rk4_once, 1.0 / tolerance(0.2));  // measured: 9.9
+}
+
+// The moments that dmv10 steps with reproduce the literature's first correction.
+TEST(StepMoments, begin_as_hairer_and_vilmart_print_them) {
+  const Vector3d I(1.3, 2.1, 2.9);
+  const Vector3d L(0.4, -0.7, 0.9);
+  const double C = 0.5 * L.squaredNorm();
+  const double H = 0.5 * L.dot(L.cwiseQuotient(I));
+  const double s3 = -I.cwiseInverse().sum() * H / 3.0 + I.sum() / (6.0 * I.prod()) * C;
+  const double d3 = I.sum() / (6.0 * I.prod()) * H - C / (3.0 * I.prod());
+  const double h = 1e-3;
+  for (const Integrator i : {Integrator::dmv6, Integrator::dmv10}) {
+    const Vector3d change = (step_moments(i, I, L, h).cwiseInverse() - I.cwiseInverse()) / (h * h);
+    EXPECT_LE((change - s3 * I.cwiseInverse() - Vector3d::Constant(d3)).cwiseAbs().maxCoeff(),
+              tolerance(1e-8));  // measured: 1.0e-9
+  }
+  EXPECT_EQ(step_moments(Integrator::dmv2, I, L, h), I);
+}
+
+// A DMV step within its reach (rigid_steps.h) is taken; beyond pi / 2 there is no solution, and that is said with NaN.
+TEST(DiscreteMoserVeselov, says_where_it_ends) {
+  struct Reach {
+    Integrator integrator;
+    double least;  // h |omega|
+  };
+  for (const Reach& reach :
+       {Reach{Integrator::dmv2, 0.9}, Reach{Integrator::dmv6, 1.2}, Reach{Integrator::dmv10, 1.2}}) {
+    for (const Vector3d& omega : {Vector3d(1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, 0, 1), Vector3d(1, 1e-3, 0),
+                                  Vector3d(0.6, 0, 0.8), Vector3d(-0.6, 0.64, 0.48)}) {
+      for (const Vector3d& size :
+           {Vector3d(1.878, 2.9085, 0.5), Vector3d(1, 1, 1), Vector3d(2, 3, 1e-6), Vector3d(1, 0.3, 4)}) {
+        for (double h = 0.05; h < 20.0; h *= 1.03) {
+          BookOptions o = tumbling(reach.integrator);
+          o.size = size;
+          o.omega_W = omega;
+          FreeBook book(o);
+          book.step(h);
+          if (h < reach.least) {
+            EXPECT_TRUE(book.L_B().allFinite()) << h << ' ' << omega.transpose() << ' ' << size.transpose();
+          }
+          if (book.L_B().allFinite()) {
+            EXPECT_LE(h, 2.0);
+            EXPECT_LE(2.0 * std::acos(book.q_WB().w()), 0.5 * std::numbers::pi + 1e-12);
+          } else {
+            book.step(h);  // and stays so
+            EXPECT_FALSE(book.L_B().allFinite());
+          }
+        }
+      }
+    }
+  }
+}
+
+// A kick of 1e-15 keeps its digits: the flip comes when it should.
+TEST(FreeBookState, remembers_a_kick_below_rounding) {
+  for (const Integrator i : {Integrator::rk4, Integrator::splitting4, Integrator::dmv10}) {
+    BookOptions o;
+    o.integrator = i;
+    o.omega_W = {1.0, 1e-15, 0.0};
+    const TorqueFree exact = exact_motion(o);
+    const double middle = exact.first_flip() > 1.0 ? exact.first_flip() : exact.flip_period();
+    FreeBook book(o);
+    const int steps = static_cast<int>(middle / 0.1);
+    for (int n = 0; n < steps; ++n) book.step(middle / steps);
+    EXPECT_LE(geodesic_angle(book.q_WB(), exact.at(middle).q_WB),
+              tolerance(2e-5));  // measured: 4.8e-6 (rk4), 6.9e-7, 3.6e-14
+    EXPECT_GT(middle, 50.0);
+  }
+}
+
+const std::vector<std::vector<double>>& spring_samples() {
+  static const auto samples = [] {
+    std::ifstream in(BOOKSPIN_SOURCE_DIR "/tests/data/reference/ref_springs.txt");
+    std::vector<std::vector<double>> rows;
+    double value = 0.0;
+    for (std::size_t n = 0; in >> value; ++n) {
+      if (n % 48 == 0) rows.emplace_back();
+      rows.back().push_back(value);
+    }
+    return rows;
+  }();
+  return samples;
+}
+
+BookOptions reference_springs(Integrator integrator) {
+  BookOptions o;
+  const Vector3d I = principal_moments(o.size, 1.0);
+  o.omega_W = Vector3d(1.0, 1e-3 * I.x() / I.y(), 5e-4 * I.x() / I.z());
+  o.integrator = integrator;
+  o.normalize = false;
+  o.damping = 0.0;
+  return o;
+}
+
+struct SpringErrors {
+  double x = 0.0, v = 0.0;
+};
+
+// Over the first `samples` of 10 / 3 each.
+SpringErrors spring_errors(Integrator integrator, std::size_t samples, int steps_per_sample) {
+  SpringBook book(reference_springs(integrator));
+  SpringErrors worst;
+  for (std::size_t k = 0; k < samples; ++k) {
+    for (int n = 0; n < steps_per_sample; ++n) book.step(10.0 / 3.0 / steps_per_sample);
+    const Eigen::Map<const Corners> x(spring_samples().at(k).data());
+    const Eigen::Map<const Corners> v(spring_samples().at(k).data() + 24);
+    worst.x = std::max(worst.x, (book.corners_W() - x).cwiseAbs().maxCoeff());
+    worst.v = std::max(worst.v, (book.velocities_W() - v).cwiseAbs().maxCoeff());
+  }
+  return worst;
+}
+
+class SpringOrder : public testing::TestWithParam<OrderCase> {};
+
+// Semi-implicit Euler from springs at rest is Verlet with its velocities half a step off: only they are of order 1.
+TEST_P(SpringOrder, is_as_promised) {
+  const OrderCase& c = GetParam();
+  ASSERT_EQ(spring_samples().size(), 60U);
+  const SpringErrors coarse = spring_errors(c.integrator, 3, c.steps);
+  const SpringErrors fine = spring_errors(c.integrator, 3, 2 * c.steps);
+  EXPECT_NEAR(std::log2(coarse.v / fine.v), c.order, tolerance(c.accuracy));
+  EXPECT_LE(fine.v, tolerance(c.error));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Methods, SpringOrder,
+    // Measured: orders 0.992, 2.004, 3.979, 8.05; errors 2.8e-4, 3.9e-4, 6.5e-8, 4.6e-9.
+    testing::Values(OrderCase{"semi_implicit_euler", Integrator::semi_implicit_euler, 8000, 1.0, 0.02, 6e-4},
+                    OrderCase{"velocity_verlet", Integrator::velocity_verlet, 500, 2.0, 0.01, 8e-4},
+                    OrderCase{"rk4", Integrator::rk4, 500, 4.0, 0.05, 2e-7},
+                    OrderCase{"composition8", Integrator::composition8, 40, 8.0, 0.15, 1e-8}),
+    [](const auto& param) { return std::string(param.param.name); });
+
+TEST(Springs, the_composition_follows_the_reference_to_its_end) {
+  const SpringErrors e = spring_errors(Integrator::composition8, 60, 128);
+  EXPECT_LE(e.x, tolerance(3e-6));  // measured: 1.1e-6
+  EXPECT_LE(e.v, tolerance(3e-6));  // measured: 1.0e-6
+}
+
+TEST(Springs, symplectic_methods_keep_energy_and_angular_momentum) {
+  struct Kept {
+    Integrator integrator;
+    double h, energy;
+  };
+  for (const Kept& kept :
+       {Kept{Integrator::velocity_verlet, 0.02, 3e-4}, Kept{Integrator::composition8, 0.1, 1.5e-8}}) {
+    SpringBook book(reference_springs(kept.integrator));
+    const double energy = book.kinetic_energy();
+    const Vector3d L_W = book.angular_momentum_W();
+    double worst = 0.0;
+    for (int n = 0; n < static_cast<int>(600.0 / kept.h); ++n) {
+      book.step(kept.h);
+      if (n % 10 == 0)
+        worst = std::max(worst, std::abs((book.kinetic_energy() + book.elastic_energy()) / energy - 1.0));
+    }
+    EXPECT_LE(worst, tolerance(kept.energy));                                            // measured: 9.6e-5, 4.0e-9
+    EXPECT_LE((book.angular_momentum_W() - L_W).norm() / L_W.norm(), tolerance(3e-13));  // measured: 1.3e-14, 1.2e-14
+  }
+}
+
+// With damping, the methods that may have it agree in the limit: the damped book comes to a rigid spin.
+TEST(Springs, damped_methods_agree_in_the_limit) {
+  const auto end_of = [](Integrator integrator, double h) {
+    BookOptions o = reference_springs(integrator);
+    o.damping = 1.0;
+    SpringBook book(o);
+    for (int n = 0; n < static_cast<int>(std::lround(5.0 / h)); ++n) book.step(h);
+    return Corners(book.corners_W());
+  };
+  const Corners limit = end_of(Integrator::rk4, 1e-3);
+  EXPECT_LE((end_of(Integrator::rk4, 2e-3) - limit).cwiseAbs().maxCoeff(), tolerance(1e-9));  // measured: 1.7e-10
+  EXPECT_LE((end_of(Integrator::semi_implicit_euler, 1e-4) - limit).cwiseAbs().maxCoeff(),
+            tolerance(1e-3));  // measured: 3.7e-4
+  EXPECT_LE((end_of(Integrator::explicit_euler, 1e-4) - limit).cwiseAbs().maxCoeff(),
+            tolerance(4e-3));  // measured: 1.3e-3
+}
+
+// The paper's explicit Euler and the new methods have one limit.
+TEST(Rigid, all_methods_agree_in_the_limit) {
+  const auto orientation = [](Integrator integrator, double h) {
+    FreeBook book(tumbling(integrator));
+    for (int n = 0; n < static_cast<int>(std::lround(5.0 / h)); ++n) book.step(h);
+    return book.q_WB();
+  };
+  const Eigen::Quaterniond dmv10 = orientation(Integrator::dmv10, 0.1);
+  EXPECT_LE(geodesic_angle(dmv10, orientation(Integrator::rk4, 0.002)), tolerance(5e-13));         // measured: 2.2e-14
+  EXPECT_LE(geodesic_angle(dmv10, orientation(Integrator::splitting4, 0.005)), tolerance(5e-13));  // measured: 4.3e-14
+  QuaternionBook euler(tumbling(Integrator::explicit_euler));
+  for (int n = 0; n < 50000; ++n) euler.step(1e-4);
+  EXPECT_LE(geodesic_angle(dmv10, euler.q_WB()), tolerance(3e-4));  // measured: 9.6e-5
+}
+
+}  // namespace
+}  // namespace bookspin

@@ -1,0 +1,260 @@
+// What a visitor of the course page does, done in headless Chromium: browser_test.mjs FOLDER VIDEOS
+// FOLDER holds site/ and node_modules/, VIDEOS the scripts. Prints one line a check; exit code 1 when one fails.
+
+import { createServer } from "node:http";
+import { createRequire } from "node:module";
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { extname, join } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const [folder, videos] = process.argv.slice(2);
+const require = createRequire(join(folder, "node_modules", "x.js"));
+const { chromium } = require("playwright-core");
+const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
+const site = join(folder, "site");
+
+let failed = 0;
+async function check(name, work) {
+  const start = Date.now();
+  try {
+    await work();
+    console.log(`ok      ${name} (${((Date.now() - start) / 1000).toFixed(1)} s)`);
+  } catch (error) {
+    ++failed;
+    console.log(`FAILED  ${name}\n        ${String(error.stack ?? error).split("\n").slice(0, 4).join("\n        ")}`);
+  }
+}
+function expect(condition, message) {
+  if (!condition) throw new Error(message);
+}
+
+// Serves the site as any web server does: with ranges, without which a browser cannot seek.
+const types = { ".html": "text/html; charset=utf-8", ".mp4": "video/mp4", ".png": "image/png", ".json": "application/json" };
+const server = createServer((request, response) => {
+  const file = join(site, decodeURIComponent(new URL(request.url, "http://x").pathname));
+  const type = types[extname(file)];
+  const size = type && statSync(file, { throwIfNoEntry: false })?.size;
+  if (!size) return response.writeHead(404).end();
+  const [, from, to] = /^bytes=(\d+)-(\d*)$/.exec(request.headers.range ?? "") ?? [];
+  const start = Number(from ?? 0);
+  const end = to ? Math.min(Number(to), size - 1) : size - 1;
+  const head = { "Content-Type": type, "Accept-Ranges": "bytes", "Content-Length": end - start + 1 };
+  if (from) head["Content-Range"] = `bytes ${start}-${end}/${size}`;
+  response.writeHead(from ? 206 : 200, head).end(readFileSync(file).subarray(start, end + 1));
+});
+await new Promise((done) => server.listen(0, "127.0.0.1", done));
+
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+  args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+    "--disable-component-update", "--disable-sync"],
+});
+const origins = {
+  "file://": pathToFileURL(join(site, "index.html")).href,
+  "a server": `http://127.0.0.1:${server.address().port}/index.html`,
+};
+
+// A page whose every complaint, and every request that leaves the site, is an error.
+async function open(address, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+  const page = await context.newPage();
+  page.complaints = [];
+  page.on("console", (message) => {
+    if (message.type() !== "log") page.complaints.push(`console ${message.type()}: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => page.complaints.push(`uncaught: ${error.message}`));
+  page.on("request", (request) => {
+    const home = new URL(address);
+    const there = new URL(request.url());
+    if (there.protocol !== "data:" && there.protocol + there.host !== home.protocol + home.host) {
+      page.complaints.push(`request to ${there.href}`);
+    }
+  });
+  await page.goto(address);
+  return page;
+}
+async function close(page) {
+  await page.context().close();
+  expect(page.complaints.length === 0, page.complaints.join("; "));
+}
+
+const names = (page) => page.$$eval(".film:has(video)", (films) => films.map((film) => film.id));
+
+// Runs in the page: what the film and its cursor show.
+const state = (id) => {
+  const film = document.getElementById(id);
+  const video = film.querySelector("video");
+  const seconds = Number(film.querySelector(".chart").dataset.seconds);
+  return {
+    time: video.currentTime, duration: video.duration, seconds, width: video.videoWidth,
+    cursor: (parseFloat(film.querySelector(".cursor").style.left) / 100) * seconds,
+    told: Number(film.querySelector(".seek").getAttribute("aria-valuenow")),
+  };
+};
+async function until(page, id, what, holds) {
+  let now;
+  for (let i = 0; i < 100; ++i) {
+    now = await page.evaluate(state, id);
+    if (holds(now)) return now;
+    await page.waitForTimeout(50);
+  }
+  throw new Error(`${id}: ${what}: ${JSON.stringify(now)}`);
+}
+const near = (a, b) => Math.abs(a - b) < 0.051;  // three frames of 60 a second
+
+async function watch(page, id) {
+  const seek = page.locator(`#${id} .seek`);
+  await seek.scrollIntoViewIfNeeded();
+  // A click in the chart, before the film has been loaded at all, goes there.
+  const box = await seek.boundingBox();
+  await page.mouse.click(box.x + 0.6 * box.width, box.y + 0.5 * box.height);
+  const clicked = await until(page, id, "a click in the chart seeks the film",
+    (s) => s.width > 0 && near(s.time, 0.6 * s.seconds) && near(s.cursor, s.time));
+  expect(near(clicked.duration, clicked.seconds), `${id}: the chart shows ${clicked.seconds} s, the film has ${clicked.duration} s`);
+  await page.keyboard.press("Home");
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("ArrowRight");
+  await until(page, id, "arrow keys seek the film", (s) => near(s.time, 0.2) && near(s.cursor, 0.2) && near(s.told, 0.2));
+  await page.keyboard.press("Space");
+  await until(page, id, "the film plays and its cursor follows", (s) => s.time > 0.35 && near(s.cursor, s.time));
+  await page.keyboard.press("Space");
+  await page.evaluate((name) => { document.getElementById(name).querySelector("video").currentTime = 0.9; }, id);
+  await until(page, id, "the cursor follows a seek in the film", (s) => near(s.time, 0.9) && near(s.cursor, 0.9));
+}
+
+async function captions(page, selector) {
+  return page.$$eval(selector, (all) => Promise.all(all.map(async (video) => {
+    const track = video.textTracks[0];
+    track.mode = "showing";
+    for (let i = 0; i < 60 && video.querySelector("track").readyState < 2; ++i) await new Promise((done) => setTimeout(done, 50));
+    return { state: video.querySelector("track").readyState, cues: track.cues?.length ?? 0 };
+  })));
+}
+
+for (const [origin, address] of Object.entries(origins)) {
+  await check(`every film loads, plays, seeks, and its chart follows, from ${origin}`, async () => {
+    const page = await open(address);
+    const films = await names(page);
+    expect(films.length >= 12, `only ${films.length} films`);
+    for (const id of films) await watch(page, id);
+    const tracks = await captions(page, ".film video");
+    expect(tracks.every((t) => t.state === 2), "captions that do not load: " + JSON.stringify(tracks));
+    expect(tracks.some((t) => t.cues > 1), "no film has captions");
+    await close(page);
+  });
+}
+
+await check("the posters are pictures", async () => {
+  const page = await open(origins["file://"]);
+  const sizes = await page.$$eval(".film video", (all) => Promise.all(all.map((video) => new Promise((done) => {
+    const image = new Image();
+    image.onload = () => done(image.naturalWidth);
+    image.onerror = () => done(0);
+    image.src = video.poster;
+  }))));
+  expect(sizes.every((width) => width === 192), JSON.stringify(sizes));
+  await close(page);
+});
+
+// The snippets in an empty page: each film loads its picture, plays and has captions.
+async function works(address, count) {
+  const page = await open(address);
+  const found = await page.$$eval("figure video", (all) => Promise.all(all.map(async (video) => {
+    await video.play();
+    for (let i = 0; i < 100 && video.currentTime < 0.1; ++i) await new Promise((done) => setTimeout(done, 50));
+    video.pause();
+    return { time: video.currentTime, width: video.videoWidth };
+  })));
+  expect(found.length === count, `${found.length} of ${count} films`);
+  expect(found.every((f) => f.time >= 0.1 && f.width === 192), JSON.stringify(found));
+  expect((await captions(page, "figure video")).every((t) => t.state === 2), "captions do not load");
+  await close(page);
+}
+const empty = (body) => `<!DOCTYPE html><html lang="en"><meta charset="utf-8"><title>Mine</title><link rel="icon" href="data:,">${body}</html>`;
+
+await check("a copied snippet works in an empty page in another folder", async () => {
+  const page = await open(origins["file://"]);
+  const embed = page.locator("#fig05_unstable_x .embed");
+  await embed.locator("summary").click();
+  await embed.locator(".copy").click();
+  await page.getByText("Copied", { exact: true }).waitFor();
+  const snippet = await page.evaluate(() => navigator.clipboard.readText());
+  // Every snippet, and the one for a film that lies beside the page.
+  const all = await page.$$eval(".film:has(video) .snippet", (pres) => pres.map((pre) => pre.textContent));
+  await embed.locator(".base").fill("");
+  const beside = await page.locator("#fig05_unstable_x-snippet").textContent();
+  await close(page);
+  const other = mkdtempSync(join(folder, "other-"));
+  writeFileSync(join(other, "one.html"), empty(snippet));
+  writeFileSync(join(other, "all.html"), empty(all.join("\n")));
+  mkdirSync(join(other, "beside"));
+  for (const end of ["mp4", "png"]) cpSync(join(site, "fig05_unstable_x." + end), join(other, "beside", "fig05_unstable_x." + end));
+  writeFileSync(join(other, "beside", "page.html"), empty(beside));
+  await works(pathToFileURL(join(other, "one.html")).href, 1);
+  await works(pathToFileURL(join(other, "all.html")).href, all.length);
+  await works(pathToFileURL(join(other, "beside", "page.html")).href, 1);
+  rmSync(other, { recursive: true });
+});
+
+await check("a copied script is the script", async () => {
+  const page = await open(origins["a server"]);
+  await page.locator("#fig12_pulsating_quaternion summary", { hasText: "script" }).click();
+  await page.getByRole("button", { name: "Copy the script" }).locator("visible=true").click();
+  await page.getByText("Copied", { exact: true }).waitFor();
+  const text = await page.evaluate(() => navigator.clipboard.readText());
+  expect(text === readFileSync(join(videos, "fig12_pulsating_quaternion.toml"), "utf8"), text.slice(0, 200));
+  await close(page);
+});
+
+for (const width of [360, 768, 1920]) {
+  for (const colorScheme of ["light", "dark"]) {
+    await check(`layout and accessibility at ${width} pixels, ${colorScheme}`, async () => {
+      const page = await open(origins["file://"], { viewport: { width, height: 900 }, colorScheme });
+      const overflow = () => page.evaluate(() => {
+        const wide = document.documentElement.scrollWidth - innerWidth;
+        const out = [...document.querySelectorAll("main *")].filter((e) => !e.closest("pre") && e.getBoundingClientRect().right > innerWidth + 1);
+        return wide > 0 || out.length > 0 ? `${wide} pixels too wide: ${out.slice(0, 3).map((e) => e.outerHTML.slice(0, 80))}` : "";
+      });
+      expect((await overflow()) === "", await overflow());
+      await page.$$eval("details", (all) => all.forEach((d) => { d.open = true; }));
+      expect((await overflow()) === "", "with all open: " + (await overflow()));
+      await page.evaluate(axe);
+      const { violations } = await page.evaluate(() => globalThis.axe.run({ resultTypes: ["violations"] }));
+      const text = violations.map((v) => `${v.id} (${v.nodes.length}): ${v.nodes[0].html.slice(0, 120)} ${v.nodes[0].failureSummary}`);
+      expect(violations.length === 0, text.join("; "));
+      await close(page);
+    });
+  }
+}
+
+await check("print shows posters, not films", async () => {
+  const page = await open(origins["file://"]);
+  await page.emulateMedia({ media: "print" });
+  const bad = await page.$$eval(".film:has(video)", (films) => films.filter((film) => {
+    const image = film.querySelector("img.print-only");
+    return film.querySelector("video").offsetParent !== null || image.offsetWidth === 0 || image.naturalWidth === 0;
+  }).map((film) => film.id));
+  expect(bad.length === 0, bad.join());
+  await close(page);
+});
+
+await check("nothing moves by itself, and nothing loops for those who want less motion", async () => {
+  const page = await open(origins["file://"], { reducedMotion: "reduce" });
+  const moving = await page.$$eval("video", (all) => all.filter((v) => v.autoplay || !v.paused || v.loop || v.preload !== "none").length);
+  expect(moving === 0, `${moving} films`);
+  await close(page);
+});
+
+await check("text and charts are there without a script", async () => {
+  const page = await open(origins["file://"], { javaScriptEnabled: false });
+  const charts = await page.locator(".chart path").evaluateAll((all) => all.filter((p) => p.getBoundingClientRect().width > 100).length);
+  expect(charts >= 12, `${charts} curves`);
+  expect((await page.locator(".copy:visible, .seek:visible").count()) === 0, "a button that does nothing is shown");
+  await close(page);
+});
+
+await browser.close();
+server.close();
+console.log(failed === 0 ? "all well" : `${failed} failed`);
+process.exitCode = failed === 0 ? 0 : 1;

@@ -1,0 +1,178 @@
+// The page as a whole: what it needs, what it leaves, what it does with hostile words.
+
+#include "page/page.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <regex>
+
+#include "page/a_film.h"
+#include "scratch.h"
+
+namespace bookspin {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+const fs::path real_templates = fs::path(BOOKSPIN_SOURCE_DIR) / "videos" / "page";
+
+struct Page : testing::Test {
+  Page() {
+    for (const auto& entry : fs::directory_iterator(real_templates)) {
+      fs::create_directories(scratch / "templates");
+      fs::copy_file(entry.path(), scratch / ("templates/" + entry.path().filename().string()));
+    }
+    fs::create_directories(scratch / "site");
+    write_text(scratch / "templates/template.html",
+               "<main>{{film a: tilt}}</main>{{#more}}<li>{{{.}}}</li>{{/more}}<s>{{{behaviour}}}</s>");
+    put("a", a_film());
+  }
+  void put(const std::string& name, json film) {
+    film["poster"] = name + ".png";
+    film["film"] = name + ".mp4";
+    write_text(scratch / ("site/" + name + ".json"), film.dump());
+    write_text(scratch / ("site/" + name + ".png"), "picture");
+    write_text(scratch / ("site/" + name + ".mp4"), "film");
+  }
+  std::string made(std::vector<std::string> films = {"a"}) {
+    write_page({scratch / "site", scratch / "templates", std::move(films)});
+    return read_text(scratch / "site/index.html");
+  }
+  std::string message(std::vector<std::string> films = {"a"}) {
+    try {
+      made(std::move(films));
+      return "made";
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+  }
+  Scratch scratch;
+};
+
+TEST_F(Page, AFilmStandsInItsPlaceAndOthersFollow) {
+  put("b", a_film());
+  const std::string html = made({"b", "a"});
+  EXPECT_THAT(html, HasSubstr("<main><article class=\"film\" id=\"a\""));
+  EXPECT_THAT(html, HasSubstr("<li><article class=\"film\" id=\"b\""));
+  EXPECT_THAT(made({"b"}), HasSubstr("<main></main>"));
+}
+
+TEST_F(Page, AFilmHasAllThatAReaderNeeds) {
+  const std::string html = made();
+  EXPECT_THAT(html, HasSubstr("src=\"a.mp4\" poster=\"a.png\""));
+  EXPECT_THAT(html, HasSubstr("1 of 1 measured claims hold"));
+  EXPECT_THAT(html, HasSubstr("flips at least 1: found 1"));
+  EXPECT_THAT(html, HasSubstr("<a href=\"a.mp4\" download>"));
+  EXPECT_THAT(html, HasSubstr("&lt;figure"));
+  EXPECT_THAT(html, HasSubstr("data:text/vtt;charset=utf-8,WEBVTT%0A%0A00%3A00%3A01.000"));
+  EXPECT_THAT(html, HasSubstr("title = &quot;A film&quot;"));
+}
+
+TEST_F(Page, WordsStayWords) {
+  json film = a_film();
+  film["title"] = R"(</script><script>alert("1 < 2")</script> & 'more')";
+  film["caption"] = "</figcaption>{{script}}<img src=x onerror=alert(1)>";
+  film["script"] = "# </pre></textarea><b>\"&amp;\"</b>";
+  film["expectations"][0]["says"] = "<i>it</i> --> & turns";
+  put("a", film);
+  const std::string html = made();
+  EXPECT_THAT(html, Not(HasSubstr("<script>")));
+  EXPECT_THAT(html, Not(HasSubstr("<img src=x")));
+  EXPECT_THAT(html, Not(HasSubstr("</textarea>")));
+  EXPECT_THAT(html, Not(HasSubstr("<i>it")));
+  EXPECT_THAT(html, HasSubstr("# &lt;/pre&gt;&lt;/textarea&gt;&lt;b&gt;&quot;&amp;amp;&quot;&lt;/b&gt;"));
+  EXPECT_THAT(html, HasSubstr("&lt;i&gt;it&lt;/i&gt; --&gt; &amp; turns"));
+  EXPECT_THAT(html, HasSubstr("{{script}}"));               // data is not a template
+  EXPECT_THAT(html, HasSubstr("&amp;lt;/script&amp;gt;"));  // in the snippet, which is shown as text: escaped twice
+}
+
+TEST_F(Page, AnUnmetClaimIsShownAsOne) {
+  json film = a_film();
+  film["expectations"][0]["met"] = false;
+  put("a", film);
+  EXPECT_THAT(made(), HasSubstr("0 of 1 measured claims hold"));
+  EXPECT_THAT(made(), HasSubstr("Does not hold:"));
+}
+
+TEST_F(Page, TwoBoundsUnderTheSameWordsAreOneClaim) {
+  json film = a_film();
+  film["expectations"].push_back(
+      {{"says", "it turns over"}, {"text", "flips at most 2: found 1"}, {"met", true}, {"found", 1}, {"frame", 19}});
+  put("a", film);
+  EXPECT_THAT(made(), HasSubstr("1 of 1 measured claims hold"));
+  EXPECT_THAT(made(), HasSubstr("flips at most 2: found 1"));
+  film["expectations"][1]["met"] = false;
+  put("a", film);
+  EXPECT_THAT(made(), HasSubstr("0 of 1 measured claims hold"));
+}
+
+TEST_F(Page, AMissingProductIsNamed) {
+  for (const char* product : {"a.mp4", "a.png", "a.json"}) {
+    fs::remove(scratch / ("site/" + std::string(product)));
+    EXPECT_THAT(message(), HasSubstr((scratch / ("site/" + std::string(product))).string() +
+                                     ": is missing; `bookspin render a.toml`"));
+  }
+  EXPECT_FALSE(fs::exists(scratch / "site/index.html"));
+}
+
+TEST_F(Page, DataThatIsNoneIsNamed) {
+  for (const char* text : {"", "{\"title\": 1", "[]", "{}"}) {
+    write_text(scratch / "site/a.json", text);
+    EXPECT_THAT(message(), HasSubstr("a.json: is not the data of a film")) << text;
+  }
+}
+
+TEST_F(Page, AFailureLeavesTheOldPage) {
+  const std::string old = made();
+  EXPECT_THAT(message({"a", "lost"}), HasSubstr("lost.json: is missing"));
+  write_text(scratch / "templates/template.html", "{{unknown}}");
+  EXPECT_THAT(message(), HasSubstr("template.html:1: nothing is known as 'unknown'"));
+  EXPECT_EQ(read_text(scratch / "site/index.html"), old);
+  fs::create_directory(scratch / "site/index.html.part");  // cannot be opened as a file
+  write_text(scratch / "templates/template.html", "new");
+  EXPECT_THAT(message(), HasSubstr("index.html: cannot be opened for writing: Is a directory"));
+  EXPECT_EQ(read_text(scratch / "site/index.html"), old);
+}
+
+TEST_F(Page, TheSameFilmsGiveTheSameBytesAndNothingElseIsLeft) {
+  const std::string once = made();
+  EXPECT_EQ(made(), once);
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch / "site"), fs::directory_iterator()), 4);
+}
+
+TEST_F(Page, TheReportIsLinkedWhenThereIsOne) {
+  fs::copy_file(real_templates / "template.html", scratch / "templates/template.html",
+                fs::copy_options::overwrite_existing);
+  EXPECT_THAT(made(), Not(HasSubstr("report/index.html")));
+  fs::create_directories(scratch / "site/report");
+  write_text(scratch / "site/report/index.html", "");
+  EXPECT_THAT(made(), HasSubstr("<a href=\"report/index.html\">"));
+}
+
+// The page that is shipped: every script of the project has its place, and nothing is loaded from elsewhere.
+TEST(PageTemplate, HasAPlaceForEveryScript) {
+  const std::string text = read_text(real_templates / "template.html");
+  for (const auto& entry : fs::directory_iterator(fs::path(BOOKSPIN_SOURCE_DIR) / "videos")) {
+    if (entry.path().extension() != ".toml") continue;
+    const std::string name = entry.path().stem().string();
+    EXPECT_TRUE(std::regex_search(text, std::regex("\\{\\{film " + name + "[:}]")))
+        << name << " has no place in template.html";
+  }
+}
+
+TEST(PageTemplate, NeedsNoNetwork) {
+  for (const char* name : {"template.html", "film.html", "figure.html", "page.css", "page.js"}) {
+    std::string text = read_text(real_templates / name);
+    text = std::regex_replace(text, std::regex("xmlns='http://www.w3.org/2000/svg'"), "");
+    EXPECT_FALSE(std::regex_search(text, std::regex("https?:|src=\"//|@import|fetch\\("))) << name;
+  }
+}
+
+}  // namespace
+}  // namespace bookspin

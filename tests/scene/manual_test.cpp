@@ -1,0 +1,46 @@
+// videos/README.md names every key of a script and every quantity.
+
+#include <gtest/gtest.h>
+
+#include "scene/quantities.h"
+#include "scene/scene_file.h"
+#include "scratch.h"
+
+namespace bookspin {
+namespace {
+
+bool names(char before, std::string_view word, char after) {
+  static const std::string manual = read_text(std::string(BOOKSPIN_SOURCE_DIR) + "/videos/README.md");
+  std::string quoted(1, before);
+  quoted.append(word).push_back(after);
+  return manual.find(quoted) != std::string::npos;
+}
+
+TEST(Manual, names_every_quantity) {
+  for (const Quantity& quantity : quantities()) {
+    EXPECT_TRUE(names('`', quantity.name, '`')) << quantity.name;
+  }
+}
+
+// The reader's own list of what is allowed, as its error for an unknown key gives it.
+TEST(Manual, names_every_key) {
+  for (const char* script : {"title = 'T'\nnot_there = 1\n[[book]]\n", "title = 'T'\n[clip]\nnot_there = 1\n[[book]]\n",
+                             "title = 'T'\n[view]\nnot_there = 1\n[[book]]\n", "title = 'T'\n[[book]]\nnot_there = 1\n",
+                             "title = 'T'\n[[book]]\n[[expect]]\nquantity = 'tilt'\nat_most = 1\nnot_there = 1\n"}) {
+    std::string message;
+    try {
+      (void)parse_scene(script, "s.toml");
+    } catch (const std::invalid_argument& error) {
+      message = error.what();
+    }
+    const std::string before = "allowed here: ";
+    ASSERT_NE(message.find(before), std::string::npos) << message;
+    std::istringstream keys(message.substr(message.find(before) + before.size()));
+    for (std::string key; std::getline(keys >> std::ws, key, ',');) {
+      EXPECT_TRUE(names('`', key, '`') || names('[', key, ']')) << key;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace bookspin
