@@ -1,7 +1,8 @@
 // What a film costs, stage by stage: CPU time per 1280x720 frame of Figure 5, the rate of the whole job, peak memory.
 //
-// CPU time, not wall time: what other programs do on the machine shows in the second and hardly in the first. Each stage is the
-// least of several passes over the same frames. Usage: stages_bench [SCENE.toml], default videos/fig05_unstable_x.toml.
+// CPU time, not wall time: what other programs do on the machine shows in the second and hardly in the first. Each
+// stage is the least of several passes over the same frames. Usage: stages_bench [SCENE.toml], default
+// videos/fig05_unstable_x.toml.
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -32,8 +33,10 @@ double peak_mb() {
 void stages(const fs::path& script, const fs::path& folder) {
   const FrameCost cost = frame_cost(load_scene(script), {1280, 720, 480, 3, project, folder});
   const double together = cost.dynamics + cost.drawing + cost.conversion;
-  fmt::print("CPU-ms per 1280x720 frame of {} ({} frames from the middle, {})\n", script.stem().string(), cost.frames, cost.renderer);
-  fmt::print("  dynamics    {:7.3f}\n  drawing     {:7.3f}\n  conversion  {:7.3f}\n", cost.dynamics, cost.drawing, cost.conversion);
+  fmt::print("CPU-ms per 1280x720 frame of {} ({} frames from the middle, {})\n", script.stem().string(), cost.frames,
+             cost.renderer);
+  fmt::print("  dynamics    {:7.3f}\n  drawing     {:7.3f}\n  conversion  {:7.3f}\n", cost.dynamics, cost.drawing,
+             cost.conversion);
   fmt::print("  together    {:7.3f}   (floor: 10)\n", together);
   fmt::print("  encoding    {:7.3f}\n", cost.encoding);
   fmt::print("  a frame     {:7.3f}\n", together + cost.encoding);
@@ -58,7 +61,8 @@ void whole_job(const fs::path& folder) {
   const double frames = static_cast<double>(progress.frames_done.load());
   fmt::print("whole job: {} films, {:.0f} frames in {:.1f} s by {} workers: {:.0f} frames/s (floor on 2 cores: 80)\n",
              orders.size(), frames, seconds, workers, frames / seconds);
-  fmt::print("  CPU time {:.1f} s: with every core to itself {:.0f} frames/s\n", cpu_seconds, frames * workers / cpu_seconds);
+  fmt::print("  CPU time {:.1f} s: with every core to itself {:.0f} frames/s\n", cpu_seconds,
+             frames * workers / cpu_seconds);
   fmt::print("  peak memory {:.0f} MB\n", peak_mb());
 }
 

@@ -48,9 +48,11 @@ MadeWith made_with(const Options& options) {
   result.overrides = options.overrides;
   const auto x = options.size.find('x');
   const auto width = whole_number(std::string_view(options.size).substr(0, x));
-  const auto height = x == std::string::npos ? std::nullopt : whole_number(std::string_view(options.size).substr(x + 1));
+  const auto height =
+      x == std::string::npos ? std::nullopt : whole_number(std::string_view(options.size).substr(x + 1));
   const auto fits = [](std::optional<int> n) { return n && *n >= 16 && *n <= 4096 && *n % 2 == 0; };
-  if (!fits(width) || !fits(height)) fail_option("--size", options.size, "WxH, both even and from 16 to 4096, such as 1280x720");
+  if (!fits(width) || !fits(height))
+    fail_option("--size", options.size, "WxH, both even and from 16 to 4096, such as 1280x720");
   result.width = *width;
   result.height = *height;
   if (!options.frames.empty()) {
@@ -69,17 +71,21 @@ MadeWith made_with(const Options& options) {
   return result;
 }
 
-int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+int cores() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 std::size_t unmet(const std::vector<Verdict>& verdicts) {
-  return static_cast<std::size_t>(std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return !v.met; }));
+  return static_cast<std::size_t>(
+      std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return !v.met; }));
 }
 
 // "5 of 5 expectations met", and each one that is not.
 void print_verdicts(const std::vector<Verdict>& verdicts, bool all) {
   for (const Verdict& v : verdicts) {
     if (all || !v.met) {
-      fmt::print("    {} {}\n          {}\n", v.met ? "met:    " : "NOT MET:", v.says.empty() ? "(unnamed)" : v.says, v.text);
+      fmt::print("    {} {}\n          {}\n", v.met ? "met:    " : "NOT MET:", v.says.empty() ? "(unnamed)" : v.says,
+                 v.text);
     }
   }
 }
@@ -109,7 +115,8 @@ std::vector<fs::path> scripts_in(const fs::path& folder) {
 }  // namespace
 
 int list_scenes(const Options& options) {
-  const std::vector<fs::path> scripts = scripts_in(options.folder.empty() ? project / "videos" : fs::path(options.folder));
+  const std::vector<fs::path> scripts =
+      scripts_in(options.folder.empty() ? project / "videos" : fs::path(options.folder));
   for (const fs::path& script : scripts) {
     const Scene scene = load_scene(script, options.overrides);
     const double seconds = static_cast<double>(scene.clip.frames) / scene.clip.fps;
@@ -139,7 +146,8 @@ int render_scenes(const Options& options) {
   long frames = 0;
   for (const FilmOrder& order : orders) {
     const Scene scene = load_order(order);
-    frames += (order.made_with.end_frame < 0 ? scene.clip.frames : order.made_with.end_frame) - order.made_with.first_frame;
+    frames +=
+        (order.made_with.end_frame < 0 ? scene.clip.frames : order.made_with.end_frame) - order.made_with.first_frame;
   }
 
   Progress progress;
@@ -167,7 +175,8 @@ int render_scenes(const Options& options) {
   }
   fmt::print("{} of {} made in {}, {} frames in {:.1f} s ({:.0f} frames/s)\n", made, orders.size(), folder.string(),
              progress.frames_done.load(), seconds, static_cast<double>(progress.frames_done.load()) / seconds);
-  if (orders.size() < options.scenes.size()) fmt::print("{} more were up to date\n", options.scenes.size() - orders.size());
+  if (orders.size() < options.scenes.size())
+    fmt::print("{} more were up to date\n", options.scenes.size() - orders.size());
   if (progress.stop) throw Stopped();
   return good ? 0 : 1;
 }
@@ -221,7 +230,9 @@ int report(const Options& options) {
   const fs::path folder = options.folder.empty() ? project / "videos" / "site" / "report" : fs::path(options.folder);
   const bool terminal = isatty(STDERR_FILENO) == 1;
   const auto start = std::chrono::steady_clock::now();
-  const auto seconds = [start] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+  const auto seconds = [start] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
   make_report({folder, project, options.quick}, [&](std::string_view what, double done) {
     if (terminal) fmt::print(stderr, "\r\x1b[K{:3.0f} %  {:4.0f} s  {}", 100.0 * done, seconds(), what);
     std::fflush(stderr);
@@ -232,7 +243,8 @@ int report(const Options& options) {
 }
 
 int make_page(const Options& options) {
-  PageOrder order{options.folder.empty() ? project / "videos" / "site" : fs::path(options.folder), project / "videos" / "page", {}};
+  PageOrder order{
+      options.folder.empty() ? project / "videos" / "site" : fs::path(options.folder), project / "videos" / "page", {}};
   for (const fs::path& script : scripts_in(project / "videos")) order.films.push_back(script.stem().string());
   const PageReceipt page = write_page(order);
   fmt::print("{}: {} films, {}\n", page.file.string(), page.films, readable_size(page.bytes));

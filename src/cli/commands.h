@@ -1,5 +1,5 @@
-// What each command of the program does. Each returns the exit code: 0 when everything was made and every expectation met,
-// else 1. Failures throw; main prints them.
+// What each command of the program does. Each returns the exit code: 0 when everything was made and every expectation
+// met, else 1. Failures throw; main prints them.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct Options {
   std::string size = "1280x720";  // WxH
   std::string frames;             // A:B; empty: all
   int frame = 0;
-  int jobs = 0;                   // 0: one a core
+  int jobs = 0;  // 0: one a core
   bool update = false;
   bool quick = false;
 };

@@ -1,7 +1,7 @@
 // Watches films in the making: a progress line with the time left, when standard error is a terminal, and Ctrl-C.
 //
-// While it lives, SIGINT and SIGTERM ask every film to stop at its next frame; no half-made file stays behind. A third signal
-// ends the program at once.
+// While it lives, SIGINT and SIGTERM ask every film to stop at its next frame; no half-made file stays behind. A third
+// signal ends the program at once.
 #pragma once
 
 #include <chrono>
