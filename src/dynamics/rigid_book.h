@@ -21,6 +21,9 @@ namespace bookspin {
 [[nodiscard]] Eigen::Vector3d angular_velocity_W(const Eigen::Matrix3d& R_WB, const Eigen::Vector3d& I_B,
                                                  const Eigen::Vector3d& L_W);
 
+// q = q / |q|. Where |q|^2 would overflow, too: that plain division leaves q = 0, which looks like a book at rest.
+void normalize(Eigen::Quaterniond& q);
+
 class MatrixBook {
  public:
   explicit MatrixBook(const BookOptions& options);

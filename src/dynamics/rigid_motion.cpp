@@ -1,5 +1,7 @@
 #include "dynamics/rigid_motion.h"
 
+#include "dynamics/rigid_book.h"
+
 namespace bookspin {
 
 TorqueFree exact_motion(const BookOptions& options) {
@@ -23,7 +25,7 @@ void FreeBook::step(double h) {
   }
   step_(state_, step_moments_, h);
   ++steps_;
-  if (normalize_every_ > 0 && steps_ % normalize_every_ == 0) state_.q_WB.coeffs() /= state_.q_WB.coeffs().stableNorm();
+  if (normalize_every_ > 0 && steps_ % normalize_every_ == 0) normalize(state_.q_WB);
 }
 
 ExactBook::ExactBook(const BookOptions& options)
