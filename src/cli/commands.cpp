@@ -10,11 +10,13 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 #include <stdexcept>
 #include <thread>
 
 #include "cli/watch.h"
+#include "files/files.h"
 #include "film/shoot.h"
 #include "image/png.h"
 #include "page/page.h"
@@ -206,23 +208,17 @@ int check_scenes(const Options& options) {
 int write_trajectory(const Options& options) {
   const Scene scene = load_scene(options.scenes.front(), options.overrides);
   const Trajectory trajectory = simulate(scene);
-  const std::string part = options.output + ".part";
-  const auto fail = [&](const char* operation) {
-    const std::string reason = std::strerror(errno);
-    if (!options.output.empty()) std::remove(part.c_str());
-    throw std::runtime_error(
-        fmt::format("{}: {}: {}", options.output.empty() ? "standard output" : options.output, operation, reason));
+  const auto write = [&](std::ostream& out) {
+    out << trajectory_csv_header() << '\n';
+    for (int frame = 0; out && frame < scene.clip.frames; ++frame) out << trajectory_csv_rows(scene, trajectory, frame);
   };
-  std::FILE* out = options.output.empty() ? stdout : std::fopen(part.c_str(), "wb");
-  if (out == nullptr) fail("cannot be opened for writing");
-  bool written = std::fprintf(out, "%s\n", trajectory_csv_header().c_str()) > 0;
-  for (int frame = 0; written && frame < scene.clip.frames; ++frame) {
-    written = std::fputs(trajectory_csv_rows(scene, trajectory, frame).c_str(), out) >= 0;
+  if (!options.output.empty()) {
+    write_file(options.output, write);
+    return 0;
   }
-  written = std::fflush(out) == 0 && written;
-  if (!options.output.empty()) written = std::fclose(out) == 0 && written;
-  if (!written) fail("cannot be written");
-  if (!options.output.empty() && std::rename(part.c_str(), options.output.c_str()) != 0) fail("cannot be renamed");
+  write(std::cout);
+  std::cout.flush();
+  if (!std::cout) throw std::runtime_error(fmt::format("standard output: cannot be written: {}", std::strerror(errno)));
   return 0;
 }
 

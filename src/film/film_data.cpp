@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "files/files.h"
 #include "scene/quantities.h"
 #include "scene/scene_file.h"
 
@@ -89,30 +90,15 @@ Json head_json(const FilmData& data) {
 }  // namespace
 
 void write_film_data(const std::filesystem::path& file, const FilmData& data) {
-  const std::filesystem::path part = file.string() + ".part";
-  const auto fail = [&](const char* operation) {
-    const std::string reason = std::strerror(errno);
-    std::error_code ignored;
-    std::filesystem::remove(part, ignored);
-    throw std::runtime_error(fmt::format("{}: {}: {}", file.string(), operation, reason));
-  };
-  std::ofstream out(part, std::ios::binary);
-  if (!out) fail("cannot be opened for writing");
-  std::string head = head_json(data).dump(1);
-  head.resize(head.size() - 2);  // "\n}": the books follow
-  out << head << ",\n \"books\": [";
-  for (std::size_t b = 0; b < data.scene.books.size(); ++b) {
-    out << (b == 0 ? "\n  " : ",\n  ") << book_json(data.scene.books[b], data.trajectory.books[b]);
-  }
-  out << "\n ]\n}\n";
-  out.close();
-  if (!out) fail("cannot be written");
-  std::error_code error;
-  std::filesystem::rename(part, file, error);
-  if (error) {
-    errno = error.value();
-    fail("cannot be renamed");
-  }
+  write_file(file, [&data](std::ostream& out) {
+    std::string head = head_json(data).dump(1);
+    head.resize(head.size() - 2);  // "\n}": the books follow
+    out << head << ",\n \"books\": [";
+    for (std::size_t b = 0; b < data.scene.books.size(); ++b) {
+      out << (b == 0 ? "\n  " : ",\n  ") << book_json(data.scene.books[b], data.trajectory.books[b]);
+    }
+    out << "\n ]\n}\n";
+  });
 }
 
 bool was_made_with(const std::filesystem::path& file, const MadeWith& made_with) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "files/files.h"
 #include "film/storyboard.h"
 #include "image/png.h"
 #include "scene/scene_file.h"
@@ -82,7 +83,7 @@ FilmReceipt shoot(const FilmOrder& order, Renderer& renderer, Progress& progress
   }
   if (film) film->finish();
   write_png(product(order, ".png"), poster);
-  write_film_data(product(order, ".json"), {scene, trajectory, receipt.verdicts, read_script(order.script),
+  write_film_data(product(order, ".json"), {scene, trajectory, receipt.verdicts, read_file(order.script),
                                             film ? receipt.product.filename().string() : "",
                                             product(order, ".png").filename().string(), made_with});
   receipt.bytes = fs::file_size(receipt.product);

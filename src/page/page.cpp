@@ -12,6 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "files/files.h"
 #include "page/chart.h"
 #include "page/events.h"
 #include "page/fill.h"
@@ -24,31 +25,6 @@ using Json = nlohmann::json;
 
 [[noreturn]] void fail(const fs::path& file, const std::string& what) {
   throw std::runtime_error(fmt::format("{}: {}", file.string(), what));
-}
-
-std::string read_file(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) fail(file, fmt::format("cannot be read: {}", std::strerror(errno)));
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-void write_file(const fs::path& file, const std::string& text) {
-  const fs::path part = file.string() + ".part";
-  const auto give_up = [&](const char* operation, const std::string& reason) {
-    std::error_code ignored;
-    fs::remove(part, ignored);
-    fail(file, fmt::format("{}: {}", operation, reason));
-  };
-  std::ofstream out(part, std::ios::binary);
-  if (!out) give_up("cannot be opened for writing", std::strerror(errno));
-  out << text;
-  out.close();
-  if (!out) give_up("cannot be written", std::strerror(errno));
-  std::error_code error;
-  fs::rename(part, file, error);
-  if (error) give_up("cannot be renamed", error.message());
 }
 
 Json read_film(const fs::path& site, const std::string& name) {

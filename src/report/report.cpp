@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "files/files.h"
 #include "report/claims.h"
 #include "report/draft.h"
 #include "report/machine.h"

@@ -106,23 +106,4 @@ std::string readable(double value) {
   return text.substr(0, e) + "·10" + (exponent < 0 ? "⁻" : "") + power;
 }
 
-void write_file(const std::filesystem::path& file, std::string_view text) {
-  const std::filesystem::path part = file.string() + ".part";
-  const auto fail = [&](const char* operation, const std::string& reason) {
-    std::error_code ignored;
-    std::filesystem::remove(part, ignored);
-    throw std::runtime_error(fmt::format("{}: {}: {}", file.string(), operation, reason));
-  };
-  {
-    std::ofstream out(part, std::ios::binary);
-    if (!out) fail("cannot be opened for writing", std::strerror(errno));
-    out << text;
-    out.close();
-    if (!out) fail("cannot be written", std::strerror(errno));
-  }
-  std::error_code error;
-  std::filesystem::rename(part, file, error);
-  if (error) fail("cannot be renamed", error.message());
-}
-
 }  // namespace bookspin

@@ -1,8 +1,7 @@
 // A table of the report: the same rows as CSV, as JSON and as HTML.
 //
 // A number that is not finite is an empty cell in CSV, null in JSON, a dash in HTML. CSV and JSON keep eight digits,
-// HTML three. write_file gives a file its final name only when it is complete; it throws std::runtime_error (file,
-// operation, reason).
+// HTML three.
 #pragma once
 
 #include <filesystem>
@@ -30,7 +29,5 @@ struct Table {
 
 // Three digits, 1.2e-7 as "1.2·10⁻⁷": for reading.
 [[nodiscard]] std::string readable(double value);
-
-void write_file(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace bookspin

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "files/files.h"
 #include "scene/override.h"
 #include "scene/quantities.h"
 #include "scene/table_reader.h"
@@ -251,17 +252,8 @@ Scene parse_scene(std::string_view text, const std::string& name, std::span<cons
   return read_scene(table);
 }
 
-std::string read_script(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in || std::filesystem::is_directory(file))
-    throw std::runtime_error(fmt::format("{}: cannot be read", file.string()));
-  return text.str();
-}
-
 Scene load_scene(const std::filesystem::path& file, std::span<const std::string> overrides) {
-  return parse_scene(read_script(file), file.string(), overrides);
+  return parse_scene(read_file(file), file.string(), overrides);
 }
 
 std::string_view name_of(Method method) {

@@ -14,8 +14,6 @@
 
 namespace bookspin {
 
-[[nodiscard]] std::string read_script(const std::filesystem::path& file);
-
 [[nodiscard]] Scene load_scene(const std::filesystem::path& file, std::span<const std::string> overrides = {});
 
 // The same from text; `name` stands for the file in messages.

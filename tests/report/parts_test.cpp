@@ -41,11 +41,6 @@ TEST(Tables, NumbersToRead) {
   EXPECT_EQ(readable(std::numeric_limits<double>::infinity()), "–");
 }
 
-TEST(Tables, AFileThatCannotBeWrittenIsNamed) {
-  EXPECT_THAT([] { write_file("/proc/nowhere/a.csv", "x"); },
-              ThrowsMessage<std::runtime_error>(HasSubstr("/proc/nowhere/a.csv: cannot be opened for writing")));
-}
-
 TEST(Page, AsksForEveryValueAndForNoOther) {
   const Scratch scratch;
   write_text(scratch / "page.html", "<p>{{a}} and {{b}}</p>");

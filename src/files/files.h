@@ -1,0 +1,22 @@
+// Whole files: read at once, or written so that a name never stands for half a file.
+//
+// A file grows as its name + ".part" and is renamed when it is complete; on any error the part is removed, and what
+// stood under the name survives. Both throw std::runtime_error "FILE: what failed: the system's reason".
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+namespace bookspin {
+
+[[nodiscard]] std::string read_file(const std::filesystem::path& file);
+
+void write_file(const std::filesystem::path& file, std::string_view text);
+
+// The same for what is too long to hold: `write` streams it.
+void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
+
+}  // namespace bookspin
