@@ -38,6 +38,6 @@ everything: configured
 program: configured
 	cmake --build build --target bookspin
 configured: packages
-	@cmake --preset release --log-level=WARNING
+	@cmake --preset release --log-level=WARNING >/dev/null
 packages:
 	@./install-packages
