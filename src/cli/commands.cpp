@@ -122,7 +122,7 @@ int list_scenes(const Options& options) {
   for (const fs::path& script : scripts) {
     const Scene scene = load_scene(script, options.overrides);
     const double seconds = static_cast<double>(scene.clip.frames) / scene.clip.fps;
-    fmt::print("{:30}  {:>7}  {}\n", script.filename().string(),
+    fmt::print("{:36}  {:>7}  {}\n", script.filename().string(),
                scene.clip.frames == 1 ? "still" : fmt::format("{:.1f} s", seconds), scene.title);
   }
   return 0;

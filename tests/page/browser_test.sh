@@ -26,8 +26,8 @@ need chromium chromium
 need node nodejs
 need npm npm
 if [ ! -d node_modules/playwright-core ] || [ ! -d node_modules/axe-core ]; then
-  npm install --prefix "$folder" --no-audit --no-fund --no-save playwright-core@1.65.1 axe-core@4.14.1 >npm.log 2>&1 ||
-    skip "npm could not fetch playwright-core and axe-core: $(grep -m 1 -i error npm.log)"
+  timeout 120 npm install --prefix "$folder" --fetch-retries=1 --fetch-timeout=30000 --no-audit --no-fund --no-save playwright-core@1.65.1 axe-core@4.14.1 >npm.log 2>&1 ||
+    skip "npm could not fetch playwright-core and axe-core: $(grep -m 1 -i error npm.log || echo no answer in two minutes)"
 fi
 
 # Short films: their expectations are those of the long ones, so not all can be met. What matters is that all are made.
