@@ -47,7 +47,7 @@ TEST_P(EveryFigure, KeepsTheMotionInViewAndFillsThePicture) {
       }
     }
   }
-  EXPECT_GT(farthest, 0.3) << "the books use less than three fifths of the picture";  // measured 0.35 to 0.48
+  EXPECT_GT(farthest, 0.3) << "the books use less than three fifths of the picture";  // measured 0.34 to 0.49
 }
 
 INSTANTIATE_TEST_SUITE_P(Videos, EveryFigure,
@@ -75,12 +75,12 @@ TEST(Storyboard, BooksStandWhereTheScriptPutsThemWithTheirNames) {
   ASSERT_EQ(shot.books.size(), 3U);
   for (std::size_t b = 0; b < 3; ++b) {
     const Eigen::Vector3d centre = shot.books[b].corners_W.rowwise().mean();
-    EXPECT_LT((centre - scene.books[b].position_W).norm(), 1e-12);  // measured 1.3e-16
+    EXPECT_LT((centre - scene.books[b].position_W).norm(), 1e-12);  // measured 0
     const Label* name = find_label(shot, scene.books[b].name);
     ASSERT_NE(name, nullptr);
     const PixelPoint below = project(shot.camera, width, height, *name->anchor_W);
     const PixelPoint book = project(shot.camera, width, height, centre);
-    EXPECT_NEAR(below.x, book.x, 1e-9);  // measured 6e-14
+    EXPECT_NEAR(below.x, book.x, 1e-9);  // measured 0
     EXPECT_GT(below.y, book.y);
   }
 }
@@ -128,14 +128,14 @@ TEST(Storyboard, ArrowsTraceAndSpringsOnRequest) {
   const Shot start = storyboard.shot(0);
   const Shot later = storyboard.shot(420);  // in the middle of a flip
   ASSERT_EQ(later.arrows.size(), 2U);
-  EXPECT_GT((later.arrows[0].to_W - start.arrows[0].to_W).norm(), 0.3);   // omega: measured 0.83
+  EXPECT_GT((later.arrows[0].to_W - start.arrows[0].to_W).norm(), 0.3);   // omega: measured 0.85
   EXPECT_LT((later.arrows[1].to_W - start.arrows[1].to_W).norm(), 1e-9);  // L: measured 0
   EXPECT_EQ(start.lines.size(), 28U);
   ASSERT_EQ(later.lines.size(), 28U + 240U);
   EXPECT_LT(later.lines[0].color.a, later.lines[239].color.a);
   const Eigen::Vector3d tip = later.lines[239].to_W;
   const Eigen::Vector3d x_W = trajectory.books[0].frames[420].q_WB * Eigen::Vector3d::UnitX();
-  EXPECT_LT((tip.normalized() - x_W).norm(), 1e-12);  // measured 2e-16
+  EXPECT_LT((tip.normalized() - x_W).norm(), 1e-12);  // measured 0
 }
 
 }  // namespace
