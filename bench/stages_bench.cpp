@@ -15,6 +15,7 @@
 
 #include "film/shoot.h"
 #include "report/cost.h"
+#include "report/measure.h"
 #include "scene/scene_file.h"
 
 namespace {
@@ -51,13 +52,13 @@ void whole_job(const fs::path& folder) {
   std::sort(orders.begin(), orders.end(), [](const auto& a, const auto& b) { return a.script < b.script; });
   const int workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   Progress progress;
-  const double cpu = cpu_ms();
+  const double cpu = cpu_ns();
   const auto start = std::chrono::steady_clock::now();
   for (const FilmOutcome& outcome : shoot_all(orders, project, workers, progress)) {
     if (!outcome.error.empty()) fmt::print("{}: {}\n", outcome.order.script.string(), outcome.error);
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const double cpu_seconds = (cpu_ms() - cpu) / 1e3;
+  const double cpu_seconds = (cpu_ns() - cpu) / 1e9;
   const double frames = static_cast<double>(progress.frames_done.load());
   fmt::print("whole job: {} films, {:.0f} frames in {:.1f} s by {} workers: {:.0f} frames/s (floor on 2 cores: 80)\n",
              orders.size(), frames, seconds, workers, frames / seconds);

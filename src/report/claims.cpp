@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "dynamics/rigid_book.h"
 #include "report/claims_list.h"
 #include "scene/scene_file.h"
@@ -22,14 +20,12 @@ std::vector<std::string> overrides_of(const Trial& trial) {
 
 StepCost step_cost() {
   const auto ns = [](auto make) {
-    double best = 1e300;
-    for (int pass = 0; pass < 30; ++pass) {
-      auto book = make();
-      const double start = now_ns();
-      for (int i = 0; i < 500; ++i) book.step(1e-3);
-      best = std::min(best, (now_ns() - start) / 500.0);
-    }
-    return best;
+    auto book = make();
+    return least_ns(30,
+                    [&] {
+                      for (int i = 0; i < 500; ++i) book.step(1e-3);
+                    }) /
+           500.0;
   };
   BookOptions options;
   options.omega_W = {0.11482, 1e-4, 5e-5};

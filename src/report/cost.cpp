@@ -1,37 +1,16 @@
 #include "report/cost.h"
 
 #include <algorithm>
-#include <ctime>
 #include <vector>
 
 #include "film/storyboard.h"
 #include "render/renderer.h"
+#include "report/measure.h"
 #include "scene/simulate.h"
 #include "video/i420.h"
 #include "video/mp4_writer.h"
 
 namespace bookspin {
-namespace {
-
-template <class Work>
-double least(int passes, Work&& work) {
-  double best = 1e300;
-  for (int pass = 0; pass < passes; ++pass) {
-    const double start = cpu_ms();
-    work();
-    best = std::min(best, cpu_ms() - start);
-  }
-  return best;
-}
-
-}  // namespace
-
-double cpu_ms() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
 FrameCost frame_cost(const Scene& scene, const FrameCostOrder& order) {
   FrameCost cost;
   const int frames = std::min(scene.clip.frames, order.most_frames);
@@ -39,16 +18,17 @@ FrameCost frame_cost(const Scene& scene, const FrameCostOrder& order) {
   cost.frames = frames;
 
   Trajectory trajectory;
-  cost.dynamics = least(order.passes, [&] { trajectory = simulate(scene); }) / scene.clip.frames;
+  cost.dynamics = 1e-6 * least_ns(order.passes, [&] { trajectory = simulate(scene); }) / scene.clip.frames;
 
   const Storyboard storyboard(scene, trajectory, static_cast<double>(order.width) / order.height);
   Renderer renderer(order.width, order.height, order.assets);
   cost.renderer = renderer.description();
   renderer.draw(storyboard.shot(first));  // compiles the shaders
-  cost.drawing = least(order.passes,
-                       [&] {
-                         for (int n = 0; n < frames; ++n) renderer.draw(storyboard.shot(first + n));
-                       }) /
+  cost.drawing = 1e-6 *
+                 least_ns(order.passes,
+                          [&] {
+                            for (int n = 0; n < frames; ++n) renderer.draw(storyboard.shot(first + n));
+                          }) /
                  frames;
 
   const auto pixels = static_cast<std::size_t>(order.width) * static_cast<std::size_t>(order.height);
@@ -62,18 +42,18 @@ FrameCost frame_cost(const Scene& scene, const FrameCostOrder& order) {
     Mp4Writer film(file, {order.width, order.height, scene.clip.fps, ""});
     for (int n = 0; n < frames; ++n) {
       const Image& picture = renderer.draw(storyboard.shot(first + n));
-      const double start = cpu_ms();
+      const double start = cpu_ns();
       convert_to_i420(picture, renderer.changed(), planes);
-      const double converted = cpu_ms();
+      const double converted = cpu_ns();
       film.write(picture, renderer.changed());
       conversion += converted - start;
-      encoding += cpu_ms() - converted;
+      encoding += cpu_ns() - converted;
     }
-    const double start = cpu_ms();
+    const double start = cpu_ns();
     film.finish();
-    encoding += cpu_ms() - start;
-    cost.conversion = std::min(cost.conversion, conversion / frames);
-    cost.encoding = std::min(cost.encoding, encoding / frames);
+    encoding += cpu_ns() - start;
+    cost.conversion = std::min(cost.conversion, 1e-6 * conversion / frames);
+    cost.encoding = std::min(cost.encoding, 1e-6 * encoding / frames);
   }
   std::filesystem::remove(file);
   cost.encoding -= cost.conversion;  // the writer converts, too

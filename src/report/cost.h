@@ -32,6 +32,4 @@ struct FrameCostOrder {
 
 [[nodiscard]] FrameCost frame_cost(const Scene& scene, const FrameCostOrder& order);
 
-[[nodiscard]] double cpu_ms();  // of the process so far
-
 }  // namespace bookspin

@@ -1,19 +1,18 @@
 #include "report/machine.h"
 
-#include <cstdio>
 #include <fstream>
-#include <memory>
 #include <thread>
+
+#include "report/program.h"
 
 namespace bookspin {
 namespace {
 
-std::string first_line_of(const std::string& command) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), pclose);
-  std::string line;
-  if (!pipe) return line;
-  for (int c = std::fgetc(pipe.get()); c != EOF && c != '\n'; c = std::fgetc(pipe.get())) line += static_cast<char>(c);
-  return line;
+// The first line that git answers; empty when it fails.
+std::string git(const std::filesystem::path& project, std::vector<std::string> command) {
+  command.insert(command.begin(), {"-C", project.string()});
+  const Finished answer = run_program("git", command, "");
+  return answer.status == 0 ? answer.out.substr(0, answer.out.find('\n')) : "";
 }
 
 }  // namespace
@@ -28,11 +27,10 @@ Machine this_machine(const std::filesystem::path& project) {
       break;
     }
   }
-  const std::string git = "git -C '" + project.string() + "' ";
-  machine.commit = first_line_of(git + "rev-parse --short=12 HEAD 2>/dev/null");
+  machine.commit = git(project, {"rev-parse", "--short=12", "HEAD"});
   if (machine.commit.empty()) {
     machine.commit = "unknown";
-  } else if (!first_line_of(git + "status --porcelain -uno 2>/dev/null").empty()) {
+  } else if (!git(project, {"status", "--porcelain", "-uno"}).empty()) {
     machine.commit += "+";
   }
   return machine;

@@ -1,16 +1,15 @@
-// The measuring of one run: its error at the samples, and the least time that it was seen to take.
+// The measuring of one run: its error at the samples, its work, and the least CPU time that it was seen to take.
 //
-// A run starts by start() and is carried from sample to sample by to(sample); it is repeated, and of every stretch
-// between two samples (of the whole when that is short) the least time counts: what else the machine does in between
-// does not. The clock is the steady one. A run that ends in non-finite numbers diverged; one whose step-size control
-// gives up stalled.
+// A run starts by start() and is carried from sample to sample by to(sample); the first pass takes the errors, further
+// passes the time. What is measured, and where a ladder of runs ends, is decided by evaluations of the right-hand side,
+// never by a clock: a slow or busy machine finds the same runs and the same errors. A run that ends in non-finite
+// numbers diverged; one whose step-size control gives up stalled.
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <functional>
-#include <numeric>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,10 +21,10 @@ using Tell = std::function<void(std::string_view what, double done)>;
 
 // How much a report may spend.
 struct Effort {
-  double longest_run_ms = 100.0;  // of a work-precision ladder: it ends before the first run that would take longer
-  int repeats = 3;                // of a run, at least; short ones are repeated more often
-  double ladder = 1.0;            // 1: two rungs an octave; 2: every second one, and so on
-  bool quick = false;             // the other parts: fewer and shorter
+  long most_evaluations = 3'000'000;  // of a ladder, all runs together
+  int repeats = 3;                    // of a run for its time; short ones are repeated more often
+  double ladder = 1.0;                // 1: two rungs an octave; 2: every second one, and so on
+  bool quick = false;                 // the other parts: fewer and shorter
 };
 
 enum class Outcome { finished, diverged, stalled };
@@ -36,60 +35,72 @@ struct Run {
   double setting = 0.0;  // the step h, or the tolerance of an adaptive method; 0: none
   double error = 0.0;    // largest over the samples; NaN unless finished
   double ns_per_time =
-      0.0;  // nanoseconds for one unit of simulated time; of what was done before it diverged or stalled, too
+      0.0;               // CPU nanoseconds for one unit of simulated time, of what was done before it ended badly too
+  long evaluations = 0;  // of the right-hand side
   Outcome outcome = Outcome::finished;
 };
 
-inline double now_ns() {
-  return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now().time_since_epoch()).count();
+inline double cpu_ns() {  // of the process so far
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
+}
+
+// CPU nanoseconds of work(), the least of `passes`.
+template <class Work>
+double least_ns(int passes, Work&& work) {
+  double least = 1e300;
+  for (int pass = 0; pass < passes; ++pass) {
+    const double start = cpu_ns();
+    work();
+    least = std::min(least, cpu_ns() - start);
+  }
+  return least;
 }
 
 // start() -> runner; runner.to(i) -> bool, carries it to sample i (0 ... samples - 1), false when it stalls;
-// look(runner, i) -> bool, takes the errors into `run`, false when a number is not finite.
+// runner.evaluations(); look(runner, i) -> bool, takes the errors into `run`, false when a number is not finite.
 template <class Start, class Look>
 void measure(Run& run, int samples, double T, const Effort& effort, Start&& start, Look&& look) {
-  std::vector<double> least(static_cast<std::size_t>(samples), 1e300);
-  double least_whole = 1e300;
-  double spent = 0.0;
-  for (int repeat = 0; repeat < effort.repeats || (spent < 0.05e6 * effort.longest_run_ms && repeat < 50); ++repeat) {
-    const bool looks = repeat == 0;
-    const bool stretches = looks || spent > 1e6 * repeat;  // else the reading of the clock would count
-    const double begin = now_ns();
-    double before = begin;
-    auto runner = start();
-    for (int i = 0; i < samples; ++i) {
-      const bool carried = runner.to(i);
-      if (stretches) {
-        const double after = now_ns();
-        auto& best = least[static_cast<std::size_t>(i)];
-        best = std::min(best, after - before);
-      }
-      if (!carried || (looks && !look(runner, i))) {
-        run.outcome = carried ? Outcome::diverged : Outcome::stalled;
-        run.error = std::nan("");
-        run.ns_per_time = std::accumulate(least.begin(), least.begin() + i + 1, 0.0) / (T * (i + 1) / samples);
-        return;
-      }
-      if (stretches) before = now_ns();
+  const double begin = cpu_ns();
+  auto runner = start();
+  for (int i = 0; i < samples && run.outcome == Outcome::finished; ++i) {
+    if (!runner.to(i)) {
+      run.outcome = Outcome::stalled;
+    } else if (!look(runner, i)) {
+      run.outcome = Outcome::diverged;
     }
-    const double whole = now_ns() - begin;
-    spent += whole;
-    if (!looks) least_whole = std::min(least_whole, whole);
+    if (run.outcome != Outcome::finished) run.ns_per_time = (cpu_ns() - begin) / (T * (i + 1) / samples);
   }
-  run.ns_per_time = std::min(least_whole, std::accumulate(least.begin(), least.end(), 0.0)) / T;
+  run.evaluations = runner.evaluations();
+  if (run.outcome != Outcome::finished) {
+    run.error = std::nan("");
+    return;
+  }
+  // A short run is timed several times in one go, so that reading the clock does not count, and more often.
+  const long together = std::max(1L, 2000 / std::max(run.evaluations, 50L));
+  const int repeats = std::max(effort.repeats, static_cast<int>(std::min(20L, 50'000 / std::max(run.evaluations, 1L))));
+  run.ns_per_time = least_ns(repeats,
+                             [&] {
+                               for (long n = 0; n < together; ++n) {
+                                 auto timed = start();
+                                 for (int i = 0; i < samples; ++i) (void)timed.to(i);
+                               }
+                             }) /
+                    (T * static_cast<double>(together));
 }
 
-// Runs at ever finer settings, rung 0, 1, 2, ...: until a run would take too long, or until rounding has long taken
-// over.
-template <class RunAt>
-void climb(const Effort& effort, double T, std::vector<Run>& runs, RunAt&& run_at) {
+// Runs at ever finer settings: until the next run would pass the limit of work, or until rounding has long taken over.
+template <class Settings, class RunAt>
+void climb(const Effort& effort, const Settings& settings, std::vector<Run>& runs, RunAt&& run_at) {
   double best = 1e300;
   int worse = 0;
   int stalled = 0;  // in a row: the loosest tolerances of an adaptive method may do so
-  double last_ms = 0.0;
-  for (int rung = 0; rung < 80; ++rung) {
-    Run run = run_at(rung);
-    if (run.outcome != Outcome::stalled) last_ms = run.ns_per_time * T * 1e-6;
+  double spent = 0.0;
+  for (const auto setting : settings) {
+    Run run = run_at(setting);
+    const auto last = static_cast<double>(run.evaluations);
+    spent += last;
     if (run.outcome == Outcome::finished) {
       worse = run.error < 0.9 * best ? 0 : worse + 1;
       best = std::min(best, run.error);
@@ -97,15 +108,27 @@ void climb(const Effort& effort, double T, std::vector<Run>& runs, RunAt&& run_a
     stalled = run.outcome == Outcome::stalled ? stalled + 1 : 0;
     runs.push_back(std::move(run));
     if (stalled == 3 || (stalled > 0 && best < 1e-2) || (best < 1e-7 && worse >= 4) ||
-        last_ms * std::pow(1.42, effort.ladder) > effort.longest_run_ms)
+        spent + last * std::pow(1.42, effort.ladder) > static_cast<double>(effort.most_evaluations))
       break;
   }
 }
 
-// 1, 1.5, 2, 3, 4, 6, 8, ... : the rungs of a ladder of steps.
-inline double rung_factor(int rung, double ladder) {
-  const int r = static_cast<int>(std::lround(rung * ladder));
-  return std::ldexp(r % 2 == 0 ? 1.0 : 1.5, r / 2);
+// Numbers of steps: fewest times 1, 1.5, 2, 3, 4, 6, 8, ..., each once.
+inline std::vector<long> step_ladder(double fewest, double ladder) {
+  std::vector<long> steps;
+  for (int rung = 0; rung < 80; ++rung) {
+    const int r = static_cast<int>(std::lround(rung * ladder));
+    const long n = std::lround(fewest * std::ldexp(r % 2 == 0 ? 1.0 : 1.5, std::min(r, 80) / 2));
+    if (steps.empty() || n > steps.back()) steps.push_back(n);
+  }
+  return steps;
+}
+
+// Tolerances of adaptive methods: 0.1, 0.03, 0.01, ... 1e-16.
+inline std::vector<double> tolerance_ladder(double ladder) {
+  std::vector<double> tolerances;
+  for (double decades = 1.0; decades <= 16.0; decades += 0.5 * ladder) tolerances.push_back(std::pow(10.0, -decades));
+  return tolerances;
 }
 
 }  // namespace bookspin

@@ -12,21 +12,33 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <exception>
-#include <functional>
-#include <utility>
+#include <type_traits>
 
 namespace bookspin {
+
+template <class System>
+struct Counted {
+  const System& system;
+  long& evaluations;
+
+  template <class State>
+  void operator()(const State& x, State& dxdt, double t) const {
+    ++evaluations;
+    system(x, dxdt, t);
+  }
+};
 
 template <class State, class System>
 class OdeintFixed {
  public:
-  OdeintFixed(const State& x, const System& system, double interval, int steps)
-      : x_(x), system_(system), h_(interval / steps), steps_(steps) {}
+  OdeintFixed(const State& x, const System& system, double interval, long steps)
+      : x_(x), system_(system), h_(interval / static_cast<double>(steps)), steps_(steps) {}
   bool to(int /*sample*/) {
-    for (int i = 0; i < steps_; ++i)
-      stepper_.do_step(std::cref(system_), x_, 0.0, h_);  // the systems here do not depend on t
+    const Counted<System> counted{system_, evaluations_};
+    for (long i = 0; i < steps_; ++i) stepper_.do_step(counted, x_, 0.0, h_);  // the systems here do not depend on t
     return true;
   }
+  [[nodiscard]] long evaluations() const { return evaluations_; }
   [[nodiscard]] const State& x() const { return x_; }
 
  private:
@@ -34,23 +46,25 @@ class OdeintFixed {
   State x_;
   System system_;
   double h_;
-  int steps_;
+  long steps_;
+  long evaluations_ = 0;
 };
 
-template <class Stepper, class State, class System>
+template <class Make, class State, class System>
 class OdeintControlled {
  public:
-  OdeintControlled(Stepper stepper, const State& x, const System& system, double interval, double first_step)
-      : stepper_(std::move(stepper)), x_(x), system_(system), interval_(interval), step_(first_step) {}
+  OdeintControlled(const Make& make, const State& x, const System& system, double interval, double first_step)
+      : stepper_(make()), x_(x), system_(system), interval_(interval), step_(first_step) {}
   bool to(int sample) {
     const double end = (sample + 1) * interval_;
+    const Counted<System> counted{system_, evaluations_};
     long tries = 0;
     try {
       while (end - t_ > 1e-14 * end) {
         const double wanted = step_;
         double step = std::min(wanted, end - t_);
         const bool cut = step < wanted;
-        const auto result = stepper_.try_step(std::cref(system_), x_, t_, step);
+        const auto result = stepper_.try_step(counted, x_, t_, step);
         step_ = result == boost::numeric::odeint::success && cut ? std::max(step, wanted) : step;
         if (++tries > most_tries || !(step_ > 0.0)) return false;
       }
@@ -59,33 +73,36 @@ class OdeintControlled {
     }
     return true;
   }
+  [[nodiscard]] long evaluations() const { return evaluations_; }
   [[nodiscard]] const State& x() const { return x_; }
 
  private:
   static constexpr long most_tries = 50000;
-  Stepper stepper_;
+  std::invoke_result_t<Make> stepper_;
   State x_;
   System system_;
   double interval_;
   double step_;
   double t_ = 0.0;
+  long evaluations_ = 0;
 };
 
-// Calls visit(name, make) for each controlled method: make(tolerance) starts a run.
+// Calls visit(name, start) for each controlled method: start(tolerance) starts a run. The methods are copied from objects
+// of static storage, whose buffers are zero: a copy of a buffer not yet written to would be read.
 template <class State, class System, class Visit>
 void for_each_controlled(const State& x, const System& system, double interval, double first_step, Visit&& visit) {
   namespace odeint = boost::numeric::odeint;
+  const auto start = [&](auto make) { return OdeintControlled(make, x, system, interval, first_step); };
   visit("odeint dopri5", [&](double tolerance) {
-    return OdeintControlled(odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_dopri5<State>()), x,
-                            system, interval, first_step);
+    static const odeint::runge_kutta_dopri5<State> dopri5;
+    return start([&] { return odeint::make_controlled(tolerance, tolerance, dopri5); });
   });
   visit("odeint fehlberg78", [&](double tolerance) {
-    return OdeintControlled(odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_fehlberg78<State>()), x,
-                            system, interval, first_step);
+    static const odeint::runge_kutta_fehlberg78<State> fehlberg78;
+    return start([&] { return odeint::make_controlled(tolerance, tolerance, fehlberg78); });
   });
-  visit("odeint bulirsch_stoer", [&](double tolerance) {
-    return OdeintControlled(odeint::bulirsch_stoer<State>(tolerance, tolerance), x, system, interval, first_step);
-  });
+  visit("odeint bulirsch_stoer",
+        [&](double tolerance) { return start([&] { return odeint::bulirsch_stoer<State>(tolerance, tolerance); }); });
 }
 
 }  // namespace bookspin

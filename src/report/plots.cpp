@@ -4,8 +4,10 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
+
+#include "files/files.h"
+#include "report/program.h"
 
 namespace bookspin {
 namespace {
@@ -67,17 +69,28 @@ std::string quoted(const std::string& text) {
   return '"' + out + '"';
 }
 
+Finished run_gnuplot(const std::vector<std::string>& arguments, std::string_view script) {
+  Finished gnuplot = run_program("gnuplot", arguments, script);
+  if (gnuplot.status == program_not_found)
+    throw std::runtime_error("gnuplot: not found; the package gnuplot-nox has it, and the report's plots need it");
+  return gnuplot;
+}
+
 }  // namespace
 
+void require_gnuplot() {
+  const Finished gnuplot = run_gnuplot({"--version"}, "");
+  if (gnuplot.status != 0)
+    throw std::runtime_error(fmt::format("gnuplot --version: exit status {}: {}", gnuplot.status, gnuplot.errors));
+}
+
 void draw_plot(const std::filesystem::path& svg, const Plot& plot) {
-  const std::string part = svg.string() + ".part";
   std::string script =
       "set term svg size 960,560 dynamic enhanced font 'system-ui,sans-serif,15'\n"
       "set encoding utf8\nset border 3 lw 0.8\nset tics nomirror out scale 0.6\n"
       "set grid lc rgb '#9aa3ad' lw 0.4 dt 1\nset key outside right top Left reverse noenhanced samplen 3 spacing "
       "1.15\n"
       "set format '10^{%T}'\n";
-  script += "set output " + quoted(part) + "\n";
   script += "set xlabel " + quoted(plot.x_label) + "\nset ylabel " + quoted(plot.y_label) + "\n";
   script += plot.log_x ? "set logscale x\n" : "set format x '%g'\n";
   script += plot.log_y ? "set logscale y\n" : "set format y '%g'\n";
@@ -109,18 +122,12 @@ void draw_plot(const std::filesystem::path& svg, const Plot& plot) {
   }
   script += plots + "\n";
 
-  std::FILE* gnuplot = popen("gnuplot >/dev/null 2>&1", "w");
-  if (gnuplot == nullptr) throw std::runtime_error(svg.string() + ": gnuplot cannot be started");
-  const bool written = std::fputs(script.c_str(), gnuplot) >= 0;
-  const int status = pclose(gnuplot);
-  std::error_code error;  // a file that gnuplot cannot open it only complains of: then there is nothing to rename
-  if (written && status == 0) std::filesystem::rename(part, svg, error);
-  if (!written || status != 0 || error) {
-    std::filesystem::remove(part, error);
-    throw std::runtime_error(fmt::format(
-        "{}: gnuplot could not draw it (exit status {}; is the package gnuplot-nox installed, is the folder there?)",
-        svg.string(), status));
+  const Finished gnuplot = run_gnuplot({}, script);
+  if (gnuplot.status != 0 || gnuplot.out.find("</svg>") == std::string::npos) {
+    throw std::runtime_error(
+        fmt::format("{}: gnuplot (exit status {}): {}", svg.string(), gnuplot.status, gnuplot.errors));
   }
+  write_file(svg, gnuplot.out);
 }
 
 }  // namespace bookspin

@@ -1,7 +1,8 @@
 // Plots of the report, drawn by gnuplot as SVG with a transparent ground.
 //
 // A series is a line with points in the colours of Okabe and Ito; a method keeps its colour, dash and point in every
-// plot, and no two methods share all three. Throws std::runtime_error when gnuplot fails or the file cannot be written.
+// plot, and no two methods share all three. Throws std::runtime_error with gnuplot's own words when it fails, and when the
+// file cannot be written.
 #pragma once
 
 #include <filesystem>
@@ -30,6 +31,8 @@ struct Plot {
   std::vector<std::string> more{};  // further gnuplot commands
   std::vector<Series> series{};
 };
+
+void require_gnuplot();  // throws std::runtime_error that says what to install
 
 void draw_plot(const std::filesystem::path& svg, const Plot& plot);
 

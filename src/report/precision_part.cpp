@@ -48,6 +48,12 @@ void plot_work_precision(const std::filesystem::path& svg, const std::vector<Run
   draw_plot(svg, plot);
 }
 
+// Above the right end of a line at this height; a number that is missing has no label.
+std::string label_at(const char* text, double height) {
+  return std::isfinite(height) ? fmt::format("set label '{}' at graph 0.99, first {} right offset 0,0.7", text, height)
+                               : "";
+}
+
 }  // namespace
 
 void write_precision(Draft& draft) {
@@ -72,7 +78,7 @@ void write_precision(Draft& draft) {
     draft.tell("speed against error, case " + c.letter, done);
     done += 0.12;
     Effort effort = draft.effort;
-    if (c.letter == "d") effort.longest_run_ms *= 4.0;  // a thousand times as many turns
+    if (c.letter == "d") effort.most_evaluations *= 4;  // a thousand times as many turns
     rigid_work_precision(c, effort, draft.runs);
     draft.keep("cheapest_" + c.letter, cheapest(draft.runs, "case " + c.letter, errors));
     plot_work_precision(draft.order.folder / ("work_precision_" + c.letter + ".svg"), draft.runs, {"case " + c.letter},
@@ -80,7 +86,7 @@ void write_precision(Draft& draft) {
   }
   draft.tell("speed against error, springs", done);
   Effort effort = draft.effort;
-  effort.longest_run_ms *= draft.effort.quick ? 20.0 : 6.0;
+  effort.most_evaluations *= draft.effort.quick ? 3 : 2;
   effort.repeats = draft.effort.quick ? 1 : 2;
   spring_work_precision(reference, effort, draft.runs);
   draft.keep("cheapest_springs", cheapest(draft.runs, "springs", errors));
@@ -101,8 +107,7 @@ void write_precision(Draft& draft) {
   const double floor_stiff = finest(stiff);
   plot_work_precision(draft.order.folder / "work_precision_springs_rigid.svg", draft.runs, {soft, stiff},
                       "largest distance, half diagonals, from the rigid motion", "1e-4",
-                      {fmt::format("set label 'k = 10' at graph 0.99, first {} right offset 0,0.7", floor_soft),
-                       fmt::format("set label 'k = 1000' at graph 0.99, first {} right offset 0,0.7", floor_stiff)});
+                      {label_at("k = 10", floor_soft), label_at("k = 1000", floor_stiff)});
   draft.tell("the springs' model error", 0.62);
   draft.model_error = spring_model_error(draft.effort);
   draft.keep("spring_model_error", draft.model_error);

@@ -10,6 +10,7 @@
 #include "report/claims.h"
 #include "report/draft.h"
 #include "report/machine.h"
+#include "report/plots.h"
 
 namespace bookspin {
 namespace {
@@ -23,7 +24,7 @@ void finish(Draft& draft) {
   draft.values["flags"] = escape_text(machine.flags);
   draft.values["commit"] = escape_text(machine.commit);
   draft.values["repeats"] = std::to_string(draft.effort.repeats);
-  draft.values["longest_ms"] = readable(draft.effort.longest_run_ms);
+  draft.values["most_evaluations"] = readable(static_cast<double>(draft.effort.most_evaluations));
   draft.values["quick"] =
       draft.order.quick
           ? "<p class=\"note\"><strong>A quick run, for tests: too few and too short runs to be read.</strong></p>"
@@ -80,7 +81,8 @@ void write_claims(Draft& draft) {
 
 void make_report(const ReportOrder& order, const Tell& tell) {
   Draft draft{order, tell, {}, {}, {}, {}, {}, {}};
-  if (order.quick) draft.effort = {1.0, 1, 3.0, true};
+  if (order.quick) draft.effort = {100'000, 1, 3.0, true};
+  require_gnuplot();  // now, not after minutes of measuring
   std::filesystem::create_directories(order.folder);
   write_precision(draft);
   write_stability(draft);

@@ -38,12 +38,14 @@ struct FreeBody {
 template <class Book>
 class Stepped {
  public:
-  Stepped(const BookOptions& options, double interval, int steps)
-      : book_(options), h_(interval / steps), steps_(steps) {}
+  Stepped(const BookOptions& options, double interval, long steps)
+      : book_(options), integrator_(options.integrator), h_(interval / static_cast<double>(steps)), steps_(steps) {}
   bool to(int /*sample*/) {
-    for (int i = 0; i < steps_; ++i) book_.step(h_);
+    for (long i = 0; i < steps_; ++i) book_.step(h_);
+    taken_ += steps_;
     return true;
   }
+  [[nodiscard]] long evaluations() const { return taken_ * evaluations_a_step(integrator_); }
   [[nodiscard]] Eigen::Quaterniond q_WB() const {
     if constexpr (std::is_same_v<Book, MatrixBook>) {
       return Eigen::Quaterniond(book_.R_WB());
@@ -54,8 +56,10 @@ class Stepped {
 
  private:
   Book book_;
+  Integrator integrator_;
   double h_;
-  int steps_;
+  long steps_;
+  long taken_ = 0;
 };
 
 class Exact {
@@ -64,14 +68,17 @@ class Exact {
       : motion_(c.I_B, Eigen::Quaterniond::Identity(), c.L_W), interval_(interval) {}
   bool to(int sample) {
     state_ = motion_.at((sample + 1) * interval_);
+    ++evaluations_;
     return true;
   }
+  [[nodiscard]] long evaluations() const { return evaluations_; }
   [[nodiscard]] const Eigen::Quaterniond& q_WB() const { return state_.q_WB; }
 
  private:
   TorqueFree motion_;
   double interval_;
   TorqueFreeState state_;
+  long evaluations_ = 0;
 };
 
 Eigen::Quaterniond orientation(const auto& runner) {
@@ -101,6 +108,20 @@ std::ifstream open_reference(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+// Of the right-hand side, or of what stands in its place.
+int evaluations_a_step(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::rk4:
+      return 4;
+    case Integrator::splitting4:
+      return 5;
+    case Integrator::composition8:
+      return 17;
+    default:
+      return 1;
+  }
+}
 
 BookOptions RigidCase::options() const {
   BookOptions options;
@@ -145,38 +166,31 @@ void rigid_work_precision(const RigidCase& c, const Effort& effort, std::vector<
   const BookOptions options = c.options();
   // The coarsest step turns the book by no more than about pi.
   const double fewest = std::max(1.0, std::floor(interval * options.omega_W.norm() / std::numbers::pi));
-  const auto steps_at = [&](int rung) {
-    return static_cast<int>(std::lround(fewest * rung_factor(rung, effort.ladder)));
-  };
-
   runs.push_back(run_once(c, "exact", 0.0, effort, [&] { return Exact(c, interval); }));
 
   const auto by_steps = [&](const std::string& method, auto&& start) {
-    climb(effort, c.T, runs, [&](int rung) {
-      const int steps = steps_at(rung);
-      return run_once(c, method, interval / steps, effort, [&] { return start(steps); });
+    climb(effort, step_ladder(fewest, effort.ladder), runs, [&](long steps) {
+      return run_once(c, method, interval / static_cast<double>(steps), effort, [&] { return start(steps); });
     });
   };
-  by_steps("Euler, matrix", [&](int steps) { return Stepped<MatrixBook>(options, interval, steps); });
-  by_steps("Euler, quaternion", [&](int steps) { return Stepped<QuaternionBook>(options, interval, steps); });
+  by_steps("Euler, matrix", [&](long steps) { return Stepped<MatrixBook>(options, interval, steps); });
+  by_steps("Euler, quaternion", [&](long steps) { return Stepped<QuaternionBook>(options, interval, steps); });
   for (const auto& [name, integrator] :
        {std::pair{"rk4", Integrator::rk4}, std::pair{"splitting2", Integrator::splitting2},
         std::pair{"splitting4", Integrator::splitting4}, std::pair{"dmv2", Integrator::dmv2},
         std::pair{"dmv6", Integrator::dmv6}, std::pair{"dmv10", Integrator::dmv10}}) {
     BookOptions with = options;
     with.integrator = integrator;
-    by_steps(name, [&](int steps) { return Stepped<FreeBook>(with, interval, steps); });
+    by_steps(name, [&](long steps) { return Stepped<FreeBook>(with, interval, steps); });
   }
 
   const State start{1.0, 0.0, 0.0, 0.0, c.L_W.x(), c.L_W.y(), c.L_W.z()};
   const FreeBody body{c.I_B.cwiseInverse()};
-  by_steps("odeint rk4", [&](int steps) { return OdeintFixed<State, FreeBody>(start, body, interval, steps); });
+  by_steps("odeint rk4", [&](long steps) { return OdeintFixed<State, FreeBody>(start, body, interval, steps); });
   const double first_step = std::min(interval, 0.1 / options.omega_W.norm());
   for_each_controlled(start, body, interval, first_step, [&](const std::string& method, auto&& make) {
-    climb(effort, c.T, runs, [&](int rung) {
-      const double tolerance = std::pow(10.0, -1.0 - 0.5 * effort.ladder * rung);
-      return run_once(c, method, tolerance, effort, [&] { return make(tolerance); });
-    });
+    climb(effort, tolerance_ladder(effort.ladder), runs,
+          [&](double tolerance) { return run_once(c, method, tolerance, effort, [&] { return make(tolerance); }); });
   });
 }
 
@@ -184,14 +198,11 @@ double exact_evaluation_ns() {
   BookOptions options;
   options.omega_W = {0.11482, 1e-4, 5e-5};
   const TorqueFree motion = exact_motion(options);
-  double best = 1e300;
   double sum = 0.0;
-  for (int pass = 0; pass < 30; ++pass) {
-    const double start = now_ns();
+  const double ns = least_ns(30, [&] {
     for (int n = 0; n < 1200; ++n) sum += motion.at(0.5 * n).q_WB.w();
-    best = std::min(best, (now_ns() - start) / 1200.0);
-  }
-  return sum < 1e300 ? best : 0.0;  // the sum keeps the loop from being left out
+  });
+  return sum < 1e300 ? ns / 1200.0 : 0.0;  // the sum keeps the loop from being left out
 }
 
 Table cheapest(const std::vector<Run>& runs, const std::string& problem, const std::vector<double>& errors) {

@@ -29,18 +29,22 @@ struct SpringSystem {
 
 class Stepped {
  public:
-  Stepped(const BookOptions& options, double interval, int steps)
-      : book_(options), h_(interval / steps), steps_(steps) {}
+  Stepped(const BookOptions& options, double interval, long steps)
+      : book_(options), integrator_(options.integrator), h_(interval / static_cast<double>(steps)), steps_(steps) {}
   bool to(int /*sample*/) {
-    for (int i = 0; i < steps_; ++i) book_.step(h_);
+    for (long i = 0; i < steps_; ++i) book_.step(h_);
+    taken_ += steps_;
     return true;
   }
+  [[nodiscard]] long evaluations() const { return taken_ * evaluations_a_step(integrator_); }
   [[nodiscard]] const Corners& corners_W() const { return book_.corners_W(); }
 
  private:
   SpringBook book_;
+  Integrator integrator_;
   double h_;
-  int steps_;
+  long steps_;
+  long taken_ = 0;
 };
 
 Corners corners_of(const auto& runner) {
@@ -111,28 +115,25 @@ void spring_work_precision(const std::filesystem::path& reference, const Effort&
     });
     return run;
   };
-  constexpr int fewest = 4;
+  constexpr double fewest = 4.0;
   const auto by_steps = [&](const std::string& method, auto&& start) {
-    climb(effort, T, runs, [&](int rung) {
-      const int steps = static_cast<int>(fewest * rung_factor(rung, effort.ladder));
-      return run_once(method, interval / steps, [&] { return start(steps); });
+    climb(effort, step_ladder(fewest, effort.ladder), runs, [&](long steps) {
+      return run_once(method, interval / static_cast<double>(steps), [&] { return start(steps); });
     });
   };
   for (const auto& [name, integrator] : spring_integrators) {
     BookOptions with = options;
     with.integrator = integrator;
-    by_steps(name, [&](int steps) { return Stepped(with, interval, steps); });
+    by_steps(name, [&](long steps) { return Stepped(with, interval, steps); });
   }
   const SpringSystem system{SpringBook(options), options.particle_mass};
   State start{};
   Eigen::Map<Corners>(start.data()) = system.book.corners_W();
   Eigen::Map<Corners>(start.data() + 24) = system.book.velocities_W();
-  by_steps("odeint rk4", [&](int steps) { return OdeintFixed<State, SpringSystem>(start, system, interval, steps); });
+  by_steps("odeint rk4", [&](long steps) { return OdeintFixed<State, SpringSystem>(start, system, interval, steps); });
   for_each_controlled(start, system, interval, 0.01, [&](const std::string& method, auto&& make) {
-    climb(effort, T, runs, [&](int rung) {
-      const double tolerance = std::pow(10.0, -1.0 - 0.5 * effort.ladder * rung);
-      return run_once(method, tolerance, [&] { return make(tolerance); });
-    });
+    climb(effort, tolerance_ladder(effort.ladder), runs,
+          [&](double tolerance) { return run_once(method, tolerance, [&] { return make(tolerance); }); });
   });
 }
 
@@ -146,10 +147,9 @@ void springs_against_rigid(const Effort& effort, std::vector<Run>& runs) {
     std::vector<Corners> rigid;
     for (int i = 1; i <= samples; ++i) rigid.push_back(rigid_corners(book, i * interval));
     const auto add = [&](const char* name, const BookOptions& options) {
-      climb(effort, T, runs, [&](int rung) {
-        const int steps = static_cast<int>(16.0 * rung_factor(rung, effort.ladder));
+      climb(effort, step_ladder(16.0, effort.ladder), runs, [&](long steps) {
         Run run{stiffness < 100.0 ? "springs against rigid, k = 10" : "springs against rigid, k = 1000", name,
-                interval / steps};
+                interval / static_cast<double>(steps)};
         measure(
             run, samples, T, effort, [&] { return Stepped(options, interval, steps); },
             [&](const Stepped& runner, int i) {

@@ -3,8 +3,8 @@
 // Rigid methods: the geodesic angle (radians) to the reference trajectories of tests/data/reference, cases a to d.
 // Methods of the program run as a script runs them, normalized after every step; Boost.Odeint's solve q' = q omega / 2,
 // L' = L x omega. Springs: the farthest that a corner is from where it should be, in half diagonals of the book, for
-// the undamped springs of ref_springs.txt: `error` against that file, `other_error` against the exact motion of the
-// rigid body. Throws std::runtime_error when a reference cannot be read.
+// the undamped springs of ref_springs.txt against that file, for others against the exact motion of the rigid body.
+// Throws std::runtime_error when a reference cannot be read.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,6 +17,8 @@
 #include "report/table.h"
 
 namespace bookspin {
+
+[[nodiscard]] int evaluations_a_step(Integrator integrator);
 
 struct RigidCase {
   std::string letter;  // a, b, c, d

@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "dynamics/book.h"
 #include "report/measure.h"
 #include "report/page.h"
 #include "report/plots.h"
+#include "report/program.h"
 #include "report/stability.h"
 #include "report/table.h"
 #include "report/work_precision.h"
@@ -19,6 +21,7 @@
 namespace bookspin {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
@@ -62,11 +65,16 @@ TEST(Page, AsksForEveryValueAndForNoOther) {
 struct Toy {
   double error;
   int last;
-  bool to(int sample) { return sample <= last; }
+  long taken = 0;
+  bool to(int sample) {
+    ++taken;
+    return sample <= last;
+  }
+  [[nodiscard]] long evaluations() const { return taken; }
 };
 
 TEST(Measuring, MarksWhatDivergesAndWhatStalls) {
-  const Effort effort{100.0, 2};
+  const Effort effort{1'000, 2};
   const auto once = [&](double error, int last) {
     bookspin::Run run{"toy", "toy", 1.0};
     measure(
@@ -88,39 +96,53 @@ TEST(Measuring, MarksWhatDivergesAndWhatStalls) {
   EXPECT_EQ(once(0.5, 3).outcome, Outcome::stalled);
 }
 
+// Where a ladder ends follows from what was done, not from how long it took.
 TEST(Measuring, ALadderEndsWhereItMust) {
-  const auto rungs = [](auto outcome_at, auto error_at) {
+  const std::vector<int> settings{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  const auto rungs = [&](auto outcome_at, auto error_at, long most) {
     std::vector<bookspin::Run> runs;
-    climb({100.0, 1}, 1.0, runs, [&](int rung) {
-      return bookspin::Run{"toy", "toy", 1.0, error_at(rung), 1e6 * std::pow(2.0, rung), outcome_at(rung)};
+    climb({most, 1}, settings, runs, [&](int rung) {
+      const double slow = 1e18;  // ns: no matter
+      return bookspin::Run{"toy", "toy", 1.0, error_at(rung), slow, 1L << rung, outcome_at(rung)};
     });
     return runs.size();
   };
   const auto fine = [](int) { return Outcome::finished; };
-  EXPECT_EQ(rungs(fine, [](int) { return 3.0; }), 8U);  // 1, 2, 4, ... 128 ms: after that it would be too long
-  EXPECT_EQ(rungs([](int rung) { return rung < 2 ? Outcome::finished : Outcome::stalled; }, [](int) { return 1e-3; }),
+  const auto stalls = [](int rung) { return rung < 2 ? Outcome::finished : Outcome::stalled; };
+  EXPECT_EQ(rungs(
+                fine, [](int) { return 3.0; }, 100),
+            6U);  // 1 + 2 + ... + 32 = 63, and another 45 would be too many
+  EXPECT_EQ(rungs(
+                stalls, [](int) { return 1e-3; }, 1'000'000),
             3U);
-  EXPECT_EQ(rungs([](int rung) { return rung < 2 ? Outcome::finished : Outcome::stalled; }, [](int) { return 1.0; }),
+  EXPECT_EQ(rungs(
+                stalls, [](int) { return 1.0; }, 1'000'000),
             5U);
-  std::vector<bookspin::Run> runs;
-  climb({1e9, 1}, 1.0, runs, [](int rung) {
-    return bookspin::Run{"toy", "toy", 1.0, rung < 3 ? std::pow(1e-3, rung + 1) : 1e-9, 1.0, Outcome::finished};
-  });
-  EXPECT_EQ(runs.size(), 7U);  // four without gain after the third
+  const auto rounding = [](int rung) { return rung < 3 ? std::pow(1e-3, rung + 1) : 1e-9; };
+  EXPECT_EQ(rungs(fine, rounding, 1'000'000), 7U);  // four without gain after the third
 }
 
-TEST(Measuring, RungsAreTwoAnOctave) {
-  EXPECT_EQ(rung_factor(0, 1.0), 1.0);
-  EXPECT_EQ(rung_factor(1, 1.0), 1.5);
-  EXPECT_EQ(rung_factor(2, 1.0), 2.0);
-  EXPECT_EQ(rung_factor(3, 2.0), 8.0);
+TEST(Measuring, RungsAreTwoAnOctaveAndEachIsNew) {
+  const std::vector<long> every = step_ladder(1.0, 1.0);
+  EXPECT_EQ(std::vector<long>(every.begin(), every.begin() + 6), (std::vector<long>{1, 2, 3, 4, 6, 8}));
+  const std::vector<long> third = step_ladder(4.0, 3.0);
+  EXPECT_EQ(std::vector<long>(third.begin(), third.begin() + 3), (std::vector<long>{4, 12, 32}));
+}
+
+TEST(Programs, AreAnsweredInFull) {
+  const Finished echo = run_program("sh", {"-c", "cat; echo \"$1\" >&2; exit 3", "sh", "a 'quoted' $name"}, "in\n");
+  EXPECT_EQ(echo.status, 3);
+  EXPECT_EQ(echo.out, "in\n");
+  EXPECT_EQ(echo.errors, "a 'quoted' $name\n");
+  EXPECT_EQ(run_program("sh", {"-c", "kill -9 $$"}, "").status, 128 + 9);
+  EXPECT_EQ(run_program("no-such-program", {}, "").status, program_not_found);
 }
 
 TEST(Cheapest, IsTheFastestThatIsNearEnough) {
-  const std::vector<bookspin::Run> runs{{"p", "m", 1.0, 1e-1, 10.0, Outcome::finished},
-                                        {"p", "m", 0.5, 1e-3, 30.0, Outcome::finished},
-                                        {"p", "m", 0.2, 1e-5, 20.0, Outcome::finished},
-                                        {"p", "n", 0.2, std::nan(""), 5.0, Outcome::diverged}};
+  const std::vector<bookspin::Run> runs{{"p", "m", 1.0, 1e-1, 10.0, 1, Outcome::finished},
+                                        {"p", "m", 0.5, 1e-3, 30.0, 1, Outcome::finished},
+                                        {"p", "m", 0.2, 1e-5, 20.0, 1, Outcome::finished},
+                                        {"p", "n", 0.2, std::nan(""), 5.0, 1, Outcome::diverged}};
   const Table table = cheapest(runs, "p", {1e-2, 1e-6});
   ASSERT_EQ(table.rows.size(), 2U);
   EXPECT_EQ(std::get<double>(table.rows[0][1]), 20.0);
@@ -156,6 +178,25 @@ TEST(SpringModes, VerletsLimitIsTwoOverTheFastest) {
   EXPECT_NEAR(predicted_step_limit(options), 2.0 / std::sqrt(80.0), tolerance(1e-10));  // measured 4e-12
   options.integrator = Integrator::rk4;
   EXPECT_NEAR(predicted_step_limit(options), std::sqrt(8.0) / std::sqrt(80.0), tolerance(1e-8));  // measured 1e-10
+}
+
+TEST(Plots, GnuplotsOwnWordsAreTold) {
+  const Scratch scratch;
+  Plot plot{"x", "y"};
+  plot.more = {"set label 'here' at first nan, 1"};
+  plot.series = {{"rk4", {{1.0, 1.0}, {2.0, 0.5}}, Mark::line, ""}};
+  EXPECT_THAT(
+      [&] { draw_plot(scratch / "a.svg", plot); },
+      ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("a.svg: gnuplot"), HasSubstr("undefined variable: nan"))));
+  EXPECT_FALSE(std::filesystem::exists(scratch / "a.svg"));
+}
+
+TEST(Plots, AMissingGnuplotIsNamedWithItsPackage) {
+  const Scratch scratch;
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", scratch.folder().c_str(), 1);
+  EXPECT_THAT([] { require_gnuplot(); }, ThrowsMessage<std::runtime_error>(HasSubstr("package gnuplot-nox")));
+  setenv("PATH", path.c_str(), 1);
 }
 
 TEST(Plots, WithoutAFolderTheFileIsNamed) {

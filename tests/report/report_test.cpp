@@ -1,4 +1,5 @@
-// The whole report, quick: every file, every table, and what they say of the methods. No time is judged.
+// The whole report, quick: every file, every table, and what they say of the methods. No time is judged, and none
+// decides what is measured.
 
 #include "report/report.h"
 
