@@ -96,11 +96,6 @@ std::string met_of(const std::vector<Verdict>& verdicts) {
   return fmt::format("{} of {} expectations met", verdicts.size() - unmet(verdicts), verdicts.size());
 }
 
-std::string readable_size(std::uintmax_t bytes) {
-  return bytes < 1000000 ? fmt::format("{:.0f} kB", static_cast<double>(bytes) / 1e3)
-                         : fmt::format("{:.2f} MB", static_cast<double>(bytes) / 1e6);
-}
-
 // The scene scripts of a folder, sorted by name: at least one.
 std::vector<fs::path> scripts_in(const fs::path& folder) {
   std::error_code error;
@@ -239,11 +234,10 @@ int report(const Options& options) {
 }
 
 int make_page(const Options& options) {
-  PageOrder order{
-      options.folder.empty() ? project / "videos" / "site" : fs::path(options.folder), project / "videos" / "page", {}};
-  for (const fs::path& script : scripts_in(project / "videos")) order.films.push_back(script.stem().string());
-  const PageReceipt page = write_page(order);
-  fmt::print("{}: {} films, {}\n", page.file.string(), page.films, readable_size(page.bytes));
+  const fs::path folder = options.folder.empty() ? project / "videos" / "site" : fs::path(options.folder);
+  const PageReceipt page = write_page({folder, project / "videos" / "page"});
+  fmt::print("{}: {} film{}, {}\n", page.file.string(), page.films, page.films == 1 ? "" : "s",
+             readable_size(page.bytes));
   return 0;
 }
 

@@ -53,4 +53,9 @@ void write_file(const fs::path& file, const std::function<void(std::ostream&)>& 
   if (error) fail(file, "cannot be renamed", error.message());
 }
 
+std::string readable_size(std::uintmax_t bytes) {
+  const double kilobytes = static_cast<double>(bytes) / 1e3;
+  return kilobytes < 999.5 ? fmt::format("{:.0f} kB", kilobytes) : fmt::format("{:.1f} MB", kilobytes / 1e3);
+}
+
 }  // namespace bookspin

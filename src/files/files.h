@@ -4,6 +4,7 @@
 // stood under the name survives. Both throw std::runtime_error "FILE: what failed: the system's reason".
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <ostream>
@@ -18,5 +19,8 @@ void write_file(const std::filesystem::path& file, std::string_view text);
 
 // The same for what is too long to hold: `write` streams it.
 void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
+
+// "412 kB", "3.1 MB".
+[[nodiscard]] std::string readable_size(std::uintmax_t bytes);
 
 }  // namespace bookspin

@@ -20,7 +20,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json as_json(const MadeWith& made_with) {
-  return {{"size", fmt::format("{}x{}", made_with.width, made_with.height)},
+  return {{"width", made_with.width},
+          {"height", made_with.height},
           {"frames", fmt::format("{}:{}", made_with.first_frame,
                                  made_with.end_frame < 0 ? "" : std::to_string(made_with.end_frame))},
           {"set", made_with.overrides}};
@@ -56,6 +57,7 @@ Json head_json(const FilmData& data) {
   const Clip& clip = data.scene.clip;
   const int end = data.made_with.end_frame < 0 ? clip.frames : data.made_with.end_frame;
   Json head;
+  head["format"] = "bookspin film 1";
   head["title"] = data.scene.title;
   head["caption"] = data.scene.caption;
   if (!data.film_name.empty()) head["film"] = data.film_name;

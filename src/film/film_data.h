@@ -1,12 +1,14 @@
 // The JSON beside each film: the scene, what was measured in every frame, and the verdict on every expectation.
 //
+//   format                        "bookspin film 1"
 //   title, caption, script        as in the scene script (script: its whole text)
-//   made_with                     size, frames and overrides of this rendering
-//   clip                          frames, fps, time_per_frame, substeps; first_frame and drawn_frames of the film
-//   itself film, poster                  file names beside this one (film: absent for a still) met true when every
-//   expectation is met expectations                  says, text, met, found, frame: one for each bound quantities name,
-//   unit, meaning books                         name, method, exploded_frame (null: never), and data: one list a
-//   quantity, one number a
+//   made_with                     width, height (pixels), frames and overrides of this rendering
+//   clip                          frames, fps, time_per_frame, substeps; first_frame and drawn_frames of the film itself
+//   film, poster                  file names beside this one (film: absent for a still)
+//   met                           true when every expectation is met
+//   expectations                  says, text, met, found, frame: one for each bound
+//   quantities                    name, unit, meaning
+//   books                         name, method, exploded_frame (null: never), and data: one list a quantity, one number a
 //                                 frame, 7 significant digits, null where there is no number
 #pragma once
 

@@ -15,7 +15,8 @@ using Json = nlohmann::json;
 
 constexpr int most_buckets = 180;  // of time in a curve, each with at most two points
 constexpr double log_from = 30.0;  // growth from which the axis is logarithmic
-constexpr int colours = 5;
+constexpr int colors = 5;
+constexpr double most_shown = 1e100;  // so that an axis of the largest numbers does not overflow
 
 // How a quantity is shown: what its axis must hold whatever the data, so that a quantity that stays put is seen to.
 struct Look {
@@ -43,7 +44,7 @@ constexpr std::array looks{
 
 struct Curve {
   std::string label;
-  int colour = 0;
+  int color = 0;
   std::vector<double> values;  // shown, one a drawn frame; NaN: none
 };
 
@@ -73,43 +74,28 @@ std::vector<std::string> split(std::string_view text, char at) {
 }
 
 // The look of a quantity; one that this file does not know is shown under its own name and as it is.
-Look look_of(const std::string& quantity, const Json& film) {
+Look look_of(const std::string& quantity, const FilmRecord& film) {
   const auto* known = std::find_if(looks.begin(), looks.end(), [&](const Look& l) { return quantity == l.quantity; });
   if (known != looks.end()) return *known;
-  for (const Json& q : film["quantities"]) {
-    if (q["name"] == quantity) {
-      return {quantity.c_str(),
-              quantity.c_str(),
-              q["unit"].get_ref<const std::string&>().c_str(),
-              1.0,
-              HUGE_VAL,
-              -HUGE_VAL,
-              0.0};
-    }
+  for (const FilmRecord::Quantity& q : film.quantities) {
+    if (q.name == quantity) return {q.name.c_str(), q.name.c_str(), q.unit.c_str(), 1.0, HUGE_VAL, -HUGE_VAL, 0.0};
   }
   throw std::invalid_argument(fmt::format("chart: found quantity '{}', which the film does not have", quantity));
 }
 
-Curve curve_of(const Json& film, const Json& book, const Look& look) {
-  const Json& clip = film["clip"];
-  const int first = clip["first_frame"];
-  const int drawn = clip["drawn_frames"];
-  const int end = book["exploded_frame"].is_number() ? book["exploded_frame"].get<int>() : first + drawn;
+Curve curve_of(const FilmRecord& film, const FilmRecord::Book& book, const Look& look) {
+  const int first = film.first_frame;
+  const int end = std::min(book.exploded_frame.value_or(film.frames), first + film.drawn_frames);
   Curve curve;
-  curve.values.assign(static_cast<std::size_t>(drawn), std::nan(""));
-  const Json& data = book["data"];
-  if (!data.contains(look.quantity)) return curve;
-  for (int n = first; n < std::min(end, first + drawn); ++n) {
-    const Json& value = data[look.quantity][static_cast<std::size_t>(n)];
-    if (value.is_number()) curve.values[static_cast<std::size_t>(n - first)] = value.get<double>() * look.scale;
+  curve.values.assign(static_cast<std::size_t>(film.drawn_frames), std::nan(""));
+  const auto values = book.data.find(look.quantity);
+  if (values == book.data.end()) return curve;
+  for (int n = first; n < end; ++n) {
+    const double value = values->second[static_cast<std::size_t>(n)] * look.scale;
+    curve.values[static_cast<std::size_t>(n - first)] =
+        std::isnan(value) ? value : std::clamp(value, -most_shown, most_shown);
   }
   return curve;
-}
-
-// A book without a name among others goes by its method.
-std::string name_of_book(const Json& book) {
-  const std::string name = book["name"];
-  return name.empty() ? book["method"].get<std::string>() : name;
 }
 
 // 1, 2 or 5 times a power of ten, so that at most `most` steps cover the span.
@@ -204,10 +190,10 @@ Json ticks_of(const Axis& axis) {
   return ticks;
 }
 
-Json panel_of(const Json& film, const std::string& names) {
+Json panel_of(const FilmRecord& film, const std::string& names) {
   std::vector<Curve> curves;
   const std::vector<std::string> quantities = split(names, '+');
-  const bool many_books = film["books"].size() > 1;
+  const bool many_books = film.books.size() > 1;
   Json panel{{"title", ""}, {"unit", ""}};
   double low = HUGE_VAL;
   double high = -HUGE_VAL;
@@ -221,13 +207,13 @@ Json panel_of(const Json& film, const std::string& names) {
     panel["unit"] = look.unit;
     most = look.most;
     int index = many_books ? 0 : static_cast<int>(curves.size());
-    for (const Json& book : film["books"]) {
+    for (const FilmRecord::Book& book : film.books) {
       Curve curve = curve_of(film, book, look);
-      curve.colour = index++ % colours;
-      curve.label = many_books ? name_of_book(book) : look.title;
+      curve.color = index++ % colors;
+      curve.label = many_books ? book.name : look.title;
       if (many_books && quantities.size() > 1) curve.label += ", " + std::string(look.title);
       // The exact book's own error is no news.
-      const bool dull = quantity == "angle_error" && book["method"] == "exact";
+      const bool dull = quantity == "angle_error" && book.method == "exact";
       const bool empty = std::all_of(curve.values.begin(), curve.values.end(), [](double v) { return std::isnan(v); });
       if (!dull && !empty) curves.push_back(std::move(curve));
     }
@@ -242,20 +228,17 @@ Json panel_of(const Json& film, const std::string& names) {
   panel["heading"] = many_books ? title : "";
   panel["curves"] = Json::array();
   for (const Curve& curve : curves) {
-    panel["curves"].push_back({{"label", curve.label}, {"colour", curve.colour}, {"path", path_of(curve, axis)}});
+    panel["curves"].push_back({{"label", curve.label}, {"color", curve.color}, {"path", path_of(curve, axis)}});
   }
   return panel;
 }
 
 }  // namespace
 
-Json chart_of(const Json& film, std::string_view panels) {
-  const Json& clip = film["clip"];
-  const int first = clip["first_frame"];
-  const int drawn = clip["drawn_frames"];
-  const double seconds = drawn / clip["fps"].get<double>();
+Json chart_of(const FilmRecord& film, std::string_view panels) {
+  const double seconds = film.seconds();
   if (panels.empty())
-    panels = film["books"].size() > 1 ? "tilt, energy_ratio" : "tilt, energy_ratio+angular_momentum_ratio, stretch";
+    panels = film.books.size() > 1 ? "tilt, energy_ratio" : "tilt, energy_ratio+angular_momentum_ratio, stretch";
   Json chart{{"seconds", seconds}, {"panels", Json::array()}, {"times", Json::array()}, {"marks", Json::array()}};
   for (const std::string& names : split(panels, ',')) chart["panels"].push_back(panel_of(film, names));
   const double step = round_step(seconds, 9);
@@ -264,13 +247,13 @@ Json chart_of(const Json& film, std::string_view panels) {
         {{"at", coordinate(100.0 * i * step / seconds)}, {"label", fmt::format("{:g}", i * step)}});
   }
   chart["times"].back()["label"] = chart["times"].back()["label"].get<std::string>() + " s";
-  for (const Json& book : film["books"]) {
-    const Json& exploded = book["exploded_frame"];
-    if (!exploded.is_number() || exploded.get<int>() < first || exploded.get<int>() >= first + drawn) continue;
-    const double share = static_cast<double>(exploded.get<int>() - first) / drawn;
+  for (const FilmRecord::Book& book : film.books) {
+    if (!book.exploded_frame) continue;
+    const double share = static_cast<double>(*book.exploded_frame - film.first_frame) / film.drawn_frames;
+    if (share < 0.0 || share >= 1.0) continue;
     chart["marks"].push_back({{"at", coordinate(100.0 * share)},
                               {"late", share > 0.8},
-                              {"label", film["books"].size() > 1 ? name_of_book(book) + " explodes" : "explodes"}});
+                              {"label", film.books.size() > 1 ? book.name + " explodes" : "explodes"}});
   }
   return chart;
 }

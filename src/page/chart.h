@@ -2,7 +2,7 @@
 //
 // `panels` names them: "tilt, energy_ratio+angular_momentum_ratio" makes two, the second with two curves a book. Empty:
 // a choice by default. A panel holds title, heading, unit, low, high, log, ticks (at: percent from below, label) and
-// curves (label, colour 0 ... 4, path); beside the panels stand times (at: percent from the left, label), marks of
+// curves (label, color 0 ... 4, path); beside the panels stand times (at: percent from the left, label), marks of
 // explosions (at, late: far to the right, label) and seconds. A path is drawn in a square of 1000 x 1000, x the film's
 // time, y downwards; it ends where its book explodes, and has no more points than a screen can show: of each stretch of
 // time the smallest and the largest value, so that a vibration keeps its height. The axis is logarithmic where
@@ -10,11 +10,12 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <string>
 #include <string_view>
+
+#include "page/film_record.h"
 
 namespace bookspin {
 
-[[nodiscard]] nlohmann::json chart_of(const nlohmann::json& film, std::string_view panels);
+[[nodiscard]] nlohmann::json chart_of(const FilmRecord& film, std::string_view panels);
 
 }  // namespace bookspin

@@ -6,11 +6,12 @@
 #include <cctype>
 #include <cmath>
 #include <set>
+#include <span>
 
 namespace bookspin {
 namespace {
 
-using Json = nlohmann::json;
+using Book = FilmRecord::Book;
 
 constexpr double together = 0.5;         // seconds: what a reader takes in at once
 constexpr double longest_cue = 4.0;      // seconds
@@ -22,58 +23,46 @@ struct Found {
   std::string what;  // it does: "has turned over"
 };
 
-double value_at(const Json& list, int frame) {
-  const Json& value = list[static_cast<std::size_t>(frame)];
-  return value.is_number() ? value.get<double>() : std::nan("");
-}
-
-// A book without a name among others goes by its method.
-std::string name_of(const Json& book) {
-  const std::string name = book["name"];
-  return name.empty() ? book["method"].get<std::string>() : name;
+// The frames of a quantity before `end`; none when the film does not have it.
+std::span<const double> values_of(const Book& book, const char* quantity, int end) {
+  const auto found = book.data.find(quantity);
+  if (found == book.data.end()) return {};
+  return std::span(found->second).first(static_cast<std::size_t>(end));
 }
 
 // The first frame before `end` at which the quantity has reached the bound, upwards or downwards.
-void add_crossing(std::vector<Found>& found, const Json& book, const char* quantity, double bound, bool up, int end,
+void add_crossing(std::vector<Found>& found, const Book& book, const char* quantity, double bound, bool up, int end,
                   const std::string& what) {
-  const Json& data = book["data"];
-  if (!data.contains(quantity)) return;
-  for (int n = 0; n < end; ++n) {
-    const double value = value_at(data[quantity], n);
-    if (up ? value >= bound : value <= bound) {
-      found.push_back({n, name_of(book), what});
-      return;
-    }
-  }
+  const auto values = values_of(book, quantity, end);
+  const auto crossing =
+      std::find_if(values.begin(), values.end(), [&](double v) { return up ? v >= bound : v <= bound; });
+  if (crossing != values.end()) found.push_back({static_cast<int>(crossing - values.begin()), book.name, what});
 }
 
 // Each frame at which a count has risen.
 template <typename Words>
-void add_counts(std::vector<Found>& found, const Json& book, const char* quantity, int end, const Words& words) {
-  const Json& data = book["data"];
-  if (!data.contains(quantity)) return;
-  for (int n = 1; n < end; ++n) {
-    const double count = value_at(data[quantity], n);
-    if (count > value_at(data[quantity], n - 1)) found.push_back({n, name_of(book), words(static_cast<int>(count))});
+void add_counts(std::vector<Found>& found, const Book& book, const char* quantity, int end, const Words& words) {
+  const auto counts = values_of(book, quantity, end);
+  for (std::size_t n = 1; n < counts.size(); ++n) {
+    if (counts[n] > counts[n - 1]) found.push_back({static_cast<int>(n), book.name, words(std::llround(counts[n]))});
   }
 }
 
-void add_book(std::vector<Found>& found, const Json& book, int frames) {
-  const bool explodes = book["exploded_frame"].is_number();
-  const int end = explodes ? std::min(frames, book["exploded_frame"].get<int>()) : frames;
+void add_book(std::vector<Found>& found, const Book& book, int frames) {
+  const int end = book.exploded_frame.value_or(frames);
   add_counts(found, book, "flips", end,
-             [](int n) { return fmt::format("has turned {} (flip {})", n % 2 == 1 ? "over" : "back", n); });
+             [](long long n) { return fmt::format("has turned {} (flip {})", n % 2 == 1 ? "over" : "back", n); });
   // The vibration of springs swells and shrinks too, but too fast for words.
-  if (book["method"] != "springs") {
+  if (book.method != "springs") {
     add_counts(found, book, "pulsations", end,
-               [](int n) { return fmt::format("has swollen and shrunk (pulsation {})", n); });
+               [](long long n) { return fmt::format("has swollen and shrunk (pulsation {})", n); });
     add_crossing(found, book, "largest_singular_value", 1.2, true, end, "has grown by a fifth");
   }
   add_crossing(found, book, "energy_ratio", 2.0, true, end, "has twice its energy");
   add_crossing(found, book, "angular_momentum_ratio", 0.5, false, end, "has lost half its angular momentum");
   add_crossing(found, book, "angular_momentum_ratio", 0.1, false, end, "has lost nine tenths of its angular momentum");
   add_crossing(found, book, "angle_error", quarter_turn, true, end, "is a right angle away from the exact motion");
-  if (explodes) found.push_back({end, name_of(book), "explodes; the film holds on the last picture before"});
+  if (book.exploded_frame) found.push_back({end, book.name, "explodes; the film holds on the last picture before"});
 }
 
 // What happened together, in words: "matrix, springs: the book has turned over (flip 1). It looks stable."
@@ -98,7 +87,6 @@ std::string told(const std::vector<Found>& found, bool many_books) {
 }
 
 std::string sentence(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
   if (text.empty()) return text;
   text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
   return text.back() == '.' ? text : text + '.';
@@ -109,35 +97,34 @@ std::string vtt_time(double seconds) {
   return fmt::format("{:02}:{:02}:{:02}.{:03}", ms / 3600000, ms / 60000 % 60, ms / 1000 % 60, ms % 1000);
 }
 
+// One line: an empty one would end the cue.
 std::string vtt_text(const std::string& text) {
   std::string out;
   for (const char c : text) {
-    out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+    const bool control = static_cast<unsigned char>(c) < ' ';
+    out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, control ? ' ' : c);
   }
   return out;
 }
 
 }  // namespace
 
-std::vector<Event> events_of(const Json& film) {
-  const Json& clip = film["clip"];
-  const int first = clip["first_frame"];
-  const int drawn = clip["drawn_frames"];
-  const double fps = clip["fps"];
+std::vector<Event> events_of(const FilmRecord& film) {
   std::vector<Found> found;
-  for (const Json& book : film["books"]) add_book(found, book, clip["frames"]);
-  for (const Json& expectation : film["expectations"]) {
-    const std::string says = sentence(expectation["says"]);
-    if (!says.empty() && expectation["met"] == true) found.push_back({expectation["frame"], "", says});
+  for (const Book& book : film.books) add_book(found, book, film.frames);
+  for (const FilmRecord::Expectation& expectation : film.expectations) {
+    const std::string says = sentence(expectation.says);
+    if (!says.empty() && expectation.met) found.push_back({expectation.frame, "", says});
   }
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.frame < b.frame; });
 
+  const int first = film.first_frame;
   std::vector<Event> events;
   for (auto from = found.begin(); from != found.end();) {
     auto to = from;
-    while (to != found.end() && to->frame - from->frame < together * fps) ++to;
-    if (from->frame >= first && from->frame < first + drawn) {
-      events.push_back({(from->frame - first) / fps, told({from, to}, film["books"].size() > 1)});
+    while (to != found.end() && to->frame - from->frame < together * film.fps) ++to;
+    if (from->frame >= first && from->frame < first + film.drawn_frames) {
+      events.push_back({static_cast<double>(from->frame - first) / film.fps, told({from, to}, film.books.size() > 1)});
     }
     from = to;
   }

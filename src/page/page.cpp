@@ -3,19 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
-#include <sstream>
 #include <stdexcept>
 
 #include "files/files.h"
 #include "page/chart.h"
 #include "page/events.h"
 #include "page/fill.h"
+#include "page/film_record.h"
 
 namespace bookspin {
 namespace {
@@ -23,22 +21,32 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-[[noreturn]] void fail(const fs::path& file, const std::string& what) {
-  throw std::runtime_error(fmt::format("{}: {}", file.string(), what));
-}
-
-Json read_film(const fs::path& site, const std::string& name) {
-  const auto need = [&](const std::string& product) {
-    if (!fs::exists(site / product))
-      fail(site / product, fmt::format("is missing; `bookspin render {}.toml` makes it", name));
-    return site / product;
-  };
-  const fs::path file = need(name + ".json");
-  Json film = Json::parse(read_file(file), nullptr, false);
-  if (!film.is_object() || !film.contains("books") || !film.contains("clip")) fail(file, "is not the data of a film");
-  need(film["poster"]);
-  if (film.contains("film")) need(film["film"]);
-  return film;
+// The films of a folder, sorted by name, each with its products: at least one.
+std::vector<FilmRecord> films_in(const fs::path& site) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(site, error)) {
+    if (entry.path().extension() == ".json" && entry.is_regular_file()) files.push_back(entry.path());
+  }
+  if (error) throw std::runtime_error(fmt::format("{}: cannot be listed: {}", site.string(), error.message()));
+  std::sort(files.begin(), files.end());
+  std::vector<FilmRecord> films;
+  for (const fs::path& file : files) {
+    std::optional<FilmRecord> film = read_film_record(file);
+    if (!film) continue;
+    for (const std::string& product : {film->poster, film->film}) {
+      if (!fs::is_regular_file(site / product) && !product.empty()) {
+        throw std::runtime_error(
+            fmt::format("{}: is missing; `bookspin render {}.toml` makes it", (site / product).string(), film->name));
+      }
+    }
+    films.push_back(std::move(*film));
+  }
+  if (films.empty()) {
+    throw std::runtime_error(
+        fmt::format("{0}: holds no films; `bookspin render SCENE.toml -o {0}` makes one", site.string()));
+  }
+  return films;
 }
 
 // The text as it may stand in an address, RFC 3986.
@@ -59,43 +67,37 @@ std::string kind_of(const std::string& name) {
   return std::regex_match(name, found, figure) ? "Figure " + found[1].str() : "Film";
 }
 
-std::string readable_size(std::uintmax_t bytes) {
-  return bytes < 100000 ? fmt::format("{:.0f} kB", static_cast<double>(bytes) / 1e3)
-                        : fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
-}
-
 // One claim for each thing said; two bounds under the same words are one.
-Json claims_of(const Json& expectations) {
+Json claims_of(const std::vector<FilmRecord::Expectation>& expectations) {
   Json claims = Json::array();
-  for (const Json& e : expectations) {
-    if (claims.empty() || claims.back()["says"] != e["says"]) {
-      claims.push_back({{"says", e["says"]}, {"met", true}, {"found", Json::array()}});
+  for (const FilmRecord::Expectation& e : expectations) {
+    if (claims.empty() || claims.back()["says"] != e.says) {
+      claims.push_back({{"says", e.says}, {"met", true}, {"found", Json::array()}});
     }
-    claims.back()["met"] = claims.back()["met"] == true && e["met"] == true;
-    claims.back()["found"].push_back(e["text"]);
+    claims.back()["met"] = claims.back()["met"] == true && e.met;
+    claims.back()["found"].push_back(e.text);
   }
   return claims;
 }
 
 // What film.html and figure.html may use of a film.
-Json film_context(const fs::path& site, const std::string& name, const Json& film, const std::string& panels) {
-  const std::string size = film["made_with"]["size"];
-  const bool still = !film.contains("film");
-  const fs::path product = still ? film["poster"] : film["film"];
-  Json context{{"name", name},
-               {"kind", kind_of(name)},
-               {"title", film["title"]},
-               {"caption", film["caption"]},
+Json film_context(const fs::path& site, const FilmRecord& film, const std::string& panels) {
+  const bool still = film.film.empty();
+  const std::string& product = still ? film.poster : film.film;
+  Json context{{"id", percent_encoded(film.name)},
+               {"kind", kind_of(film.name)},
+               {"title", film.title},
+               {"caption", film.caption},
                {"still", still},
-               {"file", product},
-               {"poster", film["poster"]},
-               {"data", name + ".json"},
-               {"width", size.substr(0, size.find('x'))},
-               {"height", size.substr(size.find('x') + 1)},
+               {"file", percent_encoded(product)},
+               {"poster", percent_encoded(film.poster)},
+               {"data", percent_encoded(film.name + ".json")},
+               {"width", film.width},
+               {"height", film.height},
                {"size", readable_size(fs::file_size(site / product))},
-               {"script", film["script"]},
-               {"script_file", name + ".toml"}};
-  context["claims"] = claims_of(film["expectations"]);
+               {"script", film.script},
+               {"script_file", film.name + ".toml"}};
+  context["claims"] = claims_of(film.expectations);
   const Json& claims = context["claims"];
   const auto met = std::count_if(claims.begin(), claims.end(), [](const Json& c) { return c["met"] == true; });
   context["judged"] = !claims.empty();
@@ -104,8 +106,7 @@ Json film_context(const fs::path& site, const std::string& name, const Json& fil
   if (still) return context;
 
   context["chart"] = chart_of(film, panels);
-  const double seconds = context["chart"]["seconds"];
-  context["length"] = fmt::format("{:.0f} s", seconds);
+  context["length"] = fmt::format("{:.{}f} s", film.seconds(), film.seconds() < 10.0 ? 1 : 0);
   const std::vector<Event> events = events_of(film);
   context["events"] = Json::array();
   for (const Event& event : events) {
@@ -113,7 +114,7 @@ Json film_context(const fs::path& site, const std::string& name, const Json& fil
                                  {"time", fmt::format("{:.1f} s", event.seconds)},
                                  {"what", event.what}});
   }
-  context["captions"] = "data:text/vtt;charset=utf-8," + percent_encoded(web_vtt(events, seconds));
+  context["captions"] = "data:text/vtt;charset=utf-8," + percent_encoded(web_vtt(events, film.seconds()));
   return context;
 }
 
@@ -126,7 +127,7 @@ std::string find_places(const std::string& text, std::map<std::string, std::stri
     const std::string name = (*found)[1];
     panels[name] = (*found)[2];
     out.append(rest, (*found)[0].first);
-    out += fmt::format("{{{{#films.{0}}}}}{{{{{{films.{0}}}}}}}{{{{/films.{0}}}}}", name);
+    out += fmt::format("{{{{{{films.{}}}}}}}", name);
     rest = (*found)[0].second;
   }
   return out.append(rest, text.cend());
@@ -138,27 +139,39 @@ PageReceipt write_page(const PageOrder& order) {
   const auto source = [&](const char* name) { return read_file(order.templates / name); };
   const auto source_name = [&](const char* name) { return (order.templates / name).string(); };
   const std::string film_template = source("film.html");
+  const std::string missing_template = source("missing.html");
   const std::string figure_template = source("figure.html");
   std::map<std::string, std::string> panels;
   const std::string page_template = find_places(source("template.html"), panels);
+  const std::vector<FilmRecord> films = films_in(order.site);
 
+  const auto placed = static_cast<std::size_t>(
+      std::count_if(films.begin(), films.end(), [&](const FilmRecord& film) { return panels.contains(film.name); }));
+  const bool story = placed > 0 && 2 * placed >= panels.size();
   Json context{{"style", source("page.css")},
-               {"behaviour", source("page.js")},
+               {"behavior", source("page.js")},
+               {"story", story},
                {"films", Json::object()},
                {"more", Json::array()}};
   context["report"] = fs::exists(order.site / "report" / "index.html");
-  for (const std::string& name : order.films) {
-    const auto place = panels.find(name);
-    Json film = film_context(order.site, name, read_film(order.site, name), place == panels.end() ? "" : place->second);
-    film["snippet"] = fill(figure_template, film, source_name("figure.html"));
-    const std::string html = fill(film_template, film, source_name("film.html"));
-    context["films"][name] = html;
-    if (place == panels.end()) context["more"].push_back(html);
+  for (const auto& [name, unused] : panels) {
+    context["films"][name] = fill(missing_template, {{"name", name}}, source_name("missing.html"));
+  }
+  for (const FilmRecord& film : films) {
+    const auto place = panels.find(film.name);
+    Json shown = film_context(order.site, film, place == panels.end() ? "" : place->second);
+    shown["snippet"] = fill(figure_template, shown, source_name("figure.html"));
+    const std::string html = fill(film_template, shown, source_name("film.html"));
+    if (story && place != panels.end()) {
+      context["films"][film.name] = html;
+    } else {
+      context["more"].push_back({{"id", shown["id"]}, {"title", film.title}, {"html", html}});
+    }
   }
   context["any_more"] = !context["more"].empty();
   const fs::path file = order.site / "index.html";
   write_file(file, fill(page_template, context, source_name("template.html")));
-  return {file, static_cast<int>(order.films.size()), fs::file_size(file)};
+  return {file, static_cast<int>(films.size()), fs::file_size(file)};
 }
 
 }  // namespace bookspin

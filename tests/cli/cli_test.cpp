@@ -169,7 +169,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{"frame_beyond", "frame mine.toml --frame 12 -o a.png", 1, "--frame: found '12'; allowed: 0 to 11"},
         BadCall{"unwritable", "render mine.toml -o /proc/nowhere --size 64x36", 1, "/proc/nowhere"},
         BadCall{"trajectory_nowhere", "trajectory mine.toml -o nowhere/a.csv", 1, "nowhere/a.csv: cannot be opened"},
-        BadCall{"page_without_films", "page .", 1, ".json: is missing; `bookspin render "},
+        BadCall{"page_without_films", "page .", 1, ".: holds no films; `bookspin render SCENE.toml -o .`"},
         BadCall{"twice", "render mine.toml ./mine.toml -o .", 1, "would make the same film"}),
     [](const auto& param_info) { return param_info.param.name; });
 

@@ -75,7 +75,9 @@ TEST_F(Shoot, LeavesFilmPosterAndData) {
   const auto data = nlohmann::json::parse(read_text(site / "tumbling.json"));
   EXPECT_EQ(data["script"], tumbling);
   EXPECT_EQ(data["film"], "tumbling.mp4");
-  EXPECT_EQ(data["made_with"]["size"], "160x90");
+  EXPECT_EQ(data["format"], "bookspin film 1");
+  EXPECT_EQ(data["made_with"]["width"], 160);
+  EXPECT_EQ(data["made_with"]["height"], 90);
   EXPECT_EQ(data["expectations"].size(), 1U);
   EXPECT_EQ(data["books"][0]["data"]["tilt"].size(), 24U);
 }

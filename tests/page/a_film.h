@@ -1,8 +1,12 @@
-// The data of a small film, as film/film_data.h describes it: two seconds of one book that turns over at frame 10.
+// A small film, two seconds of one book that turns over at frame 10: its data as film/film_data.h describes them, and
+// what is read from them.
 #pragma once
 
 #include <nlohmann/json.hpp>
 #include <vector>
+
+#include "page/film_record.h"
+#include "scratch.h"
 
 namespace bookspin {
 
@@ -22,11 +26,12 @@ inline nlohmann::json a_book(const std::string& name, int frames) {
 }
 
 inline nlohmann::json a_film(int frames = 20) {
-  return {{"title", "A film"},
+  return {{"format", "bookspin film 1"},
+          {"title", "A film"},
           {"caption", "What it shows."},
           {"film", "a.mp4"},
           {"poster", "a.png"},
-          {"made_with", {{"size", "64x36"}}},
+          {"made_with", {{"width", 64}, {"height", 36}}},
           {"clip",
            {{"frames", frames},
             {"fps", 10},
@@ -44,6 +49,12 @@ inline nlohmann::json a_film(int frames = 20) {
           {"quantities", {{{"name", "tilt"}, {"unit", "degrees"}, {"meaning", "an angle"}}}},
           {"script", "title = \"A film\"\n"},
           {"books", {a_book("", frames)}}};
+}
+
+inline FilmRecord as_read(const nlohmann::json& film) {
+  const Scratch scratch;
+  write_text(scratch / "a.json", film.dump());
+  return read_film_record(scratch / "a.json").value();
 }
 
 }  // namespace bookspin

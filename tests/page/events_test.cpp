@@ -14,7 +14,7 @@ using nlohmann::json;
 
 std::vector<std::string> told(const json& film) {
   std::vector<std::string> lines;
-  for (const Event& event : events_of(film))
+  for (const Event& event : events_of(as_read(film)))
     lines.push_back(std::to_string(event.seconds).substr(0, 3) + " " + event.what);
   return lines;
 }
@@ -61,6 +61,18 @@ TEST(Events, CuesFollowEachOtherWithoutOverlap) {
             "\n00:00:02.000 --> 00:00:06.000\nTwo &lt; three &amp; four --&gt;\n"
             "\n00:01:10.250 --> 00:01:11.000\nLast.\n");
   EXPECT_EQ(web_vtt({}, 3.0), "WEBVTT\n");
+}
+
+// An empty line ends a cue, and what follows it is lost.
+TEST(Events, ACueIsOneLineWhateverTheScriptSays) {
+  json film = a_film();
+  film["books"] = {a_book("Mat\n\nNOTE lost", 20), a_book("a --> b", 20)};
+  film["expectations"][0]["says"] = "first\r\rsecond\n\nthird";
+  const FilmRecord record = as_read(film);
+  const std::string vtt = web_vtt(events_of(record), record.seconds());
+  EXPECT_THAT(vtt, testing::HasSubstr("\nMat  NOTE lost, a --&gt; b: the book has turned over (flip 1)."));
+  EXPECT_THAT(vtt, testing::EndsWith("\nFirst  second  third.\n"));
+  EXPECT_THAT(vtt, testing::Not(testing::HasSubstr("\n\n\n")));
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ struct Page : testing::Test {
     }
     fs::create_directories(scratch / "site");
     write_text(scratch / "templates/template.html",
-               "<main>{{film a: tilt}}</main>{{#more}}<li>{{{.}}}</li>{{/more}}<s>{{{behaviour}}}</s>");
+               "{{#story}}<main>{{film a: tilt}}</main>{{/story}}{{#more}}<li>{{{html}}}</li>{{/more}}"
+               "<s>{{{behavior}}}</s>");
     put("a", a_film());
   }
   void put(const std::string& name, json film) {
@@ -40,15 +41,15 @@ struct Page : testing::Test {
     write_text(scratch / ("site/" + name + ".png"), "picture");
     write_text(scratch / ("site/" + name + ".mp4"), "film");
   }
-  std::string made(std::vector<std::string> films = {"a"}) {
-    write_page({scratch / "site", scratch / "templates", std::move(films)});
+  std::string made() {
+    write_page({scratch / "site", scratch / "templates"});
     return read_text(scratch / "site/index.html");
   }
-  std::string message(std::vector<std::string> films = {"a"}) {
+  std::string message() {
     try {
-      made(std::move(films));
+      made();
       return "made";
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
       return error.what();
     }
   }
@@ -57,10 +58,46 @@ struct Page : testing::Test {
 
 TEST_F(Page, AFilmStandsInItsPlaceAndOthersFollow) {
   put("b", a_film());
-  const std::string html = made({"b", "a"});
+  const std::string html = made();
   EXPECT_THAT(html, HasSubstr("<main><article class=\"film\" id=\"a\""));
   EXPECT_THAT(html, HasSubstr("<li><article class=\"film\" id=\"b\""));
-  EXPECT_THAT(made({"b"}), HasSubstr("<main></main>"));
+}
+
+TEST_F(Page, TheStoryIsToldWhenHalfOfItsFilmsAreThere) {
+  const auto places = [this](const std::string& names) {
+    write_text(scratch / "templates/template.html",
+               "{{#story}}<main>" + names + "</main>{{/story}}{{#more}}<li>{{{html}}}</li>{{/more}}");
+  };
+  places("{{film a}}{{film b}}");
+  EXPECT_THAT(made(), HasSubstr("<main><article class=\"film\" id=\"a\""));
+  EXPECT_THAT(made(), HasSubstr("<code>bookspin render b.toml</code> makes it"));
+  EXPECT_THAT(made(), Not(HasSubstr("<li><article")));
+  places("{{film a}}{{film b}}{{film c}}");
+  EXPECT_THAT(made(), Not(HasSubstr("<main>")));
+  EXPECT_THAT(made(), HasSubstr("<li><article class=\"film\" id=\"a\""));
+}
+
+TEST_F(Page, AStrangersFilmsHaveAPageOfTheirOwn) {
+  fs::copy_file(real_templates / "template.html", scratch / "templates/template.html",
+                fs::copy_options::overwrite_existing);
+  put("b", a_film());
+  write_text(scratch / "site/other.json", "{\"format\": \"GeoJSON\"}");
+  const std::string html = made();
+  EXPECT_THAT(html, HasSubstr("<title>Films of a tumbling book</title>"));
+  EXPECT_THAT(html, HasSubstr("<li><a href=\"#a\">A film</a></li>"));
+  EXPECT_THAT(html, testing::ContainsRegex("The films</h2>\n<article class=\"film\" id=\"a\""));
+  for (const char* of_the_paper : {"Postma", "Introduction", "render fig", "class=\"number\""}) {
+    EXPECT_THAT(html, Not(HasSubstr(of_the_paper)));
+  }
+}
+
+TEST_F(Page, ANameIsGoodInAnAddressWhateverItIs) {
+  fs::remove(scratch / "site/a.json");
+  put("my film#2: 50%", a_film());
+  const std::string html = made();
+  EXPECT_THAT(html, HasSubstr("id=\"my%20film%232%3A%2050%25\""));
+  EXPECT_THAT(html, HasSubstr("src=\"my%20film%232%3A%2050%25.mp4\""));
+  EXPECT_THAT(html, HasSubstr("<code>my film#2: 50%.toml</code>"));
 }
 
 TEST_F(Page, AFilmHasAllThatAReaderNeeds) {
@@ -113,24 +150,29 @@ TEST_F(Page, TwoBoundsUnderTheSameWordsAreOneClaim) {
 }
 
 TEST_F(Page, AMissingProductIsNamed) {
-  for (const char* product : {"a.mp4", "a.png", "a.json"}) {
+  for (const char* product : {"a.mp4", "a.png"}) {
     fs::remove(scratch / ("site/" + std::string(product)));
     EXPECT_THAT(message(), HasSubstr((scratch / ("site/" + std::string(product))).string() +
                                      ": is missing; `bookspin render a.toml`"));
+    put("a", a_film());
   }
   EXPECT_FALSE(fs::exists(scratch / "site/index.html"));
 }
 
-TEST_F(Page, DataThatIsNoneIsNamed) {
-  for (const char* text : {"", "{\"title\": 1", "[]", "{}"}) {
-    write_text(scratch / "site/a.json", text);
-    EXPECT_THAT(message(), HasSubstr("a.json: is not the data of a film")) << text;
-  }
+TEST_F(Page, AFolderWithoutFilmsIsNamed) {
+  fs::remove(scratch / "site/a.json");
+  EXPECT_THAT(message(), HasSubstr("site: holds no films; `bookspin render SCENE.toml -o "));
+  fs::remove_all(scratch / "site");
+  EXPECT_THAT(message(), HasSubstr("site: cannot be listed: No such file or directory"));
 }
 
 TEST_F(Page, AFailureLeavesTheOldPage) {
   const std::string old = made();
-  EXPECT_THAT(message({"a", "lost"}), HasSubstr("lost.json: is missing"));
+  json broken = a_film();
+  broken.erase("title");
+  write_text(scratch / "site/lost.json", broken.dump());
+  EXPECT_THAT(message(), HasSubstr("lost.json: title: is missing"));
+  fs::remove(scratch / "site/lost.json");
   write_text(scratch / "templates/template.html", "{{unknown}}");
   EXPECT_THAT(message(), HasSubstr("template.html:1: nothing is known as 'unknown'"));
   EXPECT_EQ(read_text(scratch / "site/index.html"), old);
@@ -167,7 +209,7 @@ TEST(PageTemplate, HasAPlaceForEveryScript) {
 }
 
 TEST(PageTemplate, NeedsNoNetwork) {
-  for (const char* name : {"template.html", "film.html", "figure.html", "page.css", "page.js"}) {
+  for (const char* name : {"template.html", "film.html", "missing.html", "figure.html", "page.css", "page.js"}) {
     std::string text = read_text(real_templates / name);
     text = std::regex_replace(text, std::regex("xmlns='http://www.w3.org/2000/svg'"), "");
     EXPECT_FALSE(std::regex_search(text, std::regex("https?:|src=\"//|@import|fetch\\("))) << name;

@@ -1,0 +1,58 @@
+// A film's JSON (film/film_data.h says what it holds), read and checked: behind this door nothing can be missing, of the
+// wrong type, or too short.
+//
+// Preconditions on the file: its key "format" is film_format. Every list of a book's data has one number a frame of the
+// clip, null where there is none; the drawn frames lie within the clip; film and poster are names of files beside it.
+// Throws std::invalid_argument "FILE: KEY: found ...; allowed: ..." for a file that claims the format and does not keep
+// it, and std::runtime_error when it cannot be read.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bookspin {
+
+struct FilmRecord {
+  struct Expectation {
+    std::string says;
+    std::string text;  // the bound, and what was found
+    bool met = false;
+    int frame = 0;  // in which it was decided
+  };
+  struct Quantity {
+    std::string name;
+    std::string unit;
+  };
+  struct Book {
+    std::string name;  // as shown among others: its method, if the script gives it no name
+    std::string method;
+    std::optional<int> exploded_frame;
+    std::map<std::string, std::vector<double>> data;  // by quantity, one value a frame of the clip; NaN: none
+  };
+
+  std::string name;  // the file's, without .json
+  std::string title;
+  std::string caption;
+  std::string script;  // its text
+  std::string film;    // file name; empty: a still
+  std::string poster;  // file name
+  int width = 0;       // pixels
+  int height = 0;      // pixels
+  int frames = 0;      // of the clip
+  int fps = 0;
+  int first_frame = 0;
+  int drawn_frames = 0;
+  std::vector<Expectation> expectations;
+  std::vector<Quantity> quantities;
+  std::vector<Book> books;  // at least one
+
+  [[nodiscard]] double seconds() const { return static_cast<double>(drawn_frames) / fps; }
+};
+
+// Nothing for a file that does not claim to be a film's data: other JSON may lie beside the films.
+[[nodiscard]] std::optional<FilmRecord> read_film_record(const std::filesystem::path& file);
+
+}  // namespace bookspin
