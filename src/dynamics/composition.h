@@ -2,8 +2,8 @@
 // order.
 //
 // The fractions are palindromic and add up to 1; some are negative, so a step must also be able to run backwards.
-// Source: Hairer, Lubich & Wanner, Geometric Numerical Integration, 2nd ed., II.4 (Suzuki, order 4) and V.3.2 (Kahan &
-// Li, order 8).
+// Source: Hairer, Lubich & Wanner, Geometric Numerical Integration, 2nd ed., II.4 (Suzuki, order 4) and V.3.2
+// (Kahan & Li, order 8).
 #pragma once
 
 #include <array>

@@ -1,8 +1,8 @@
 // The eight corners of the book: the one answer that every method gives, and all that the renderer draws.
 //
-// Corner i lies on the positive side of body axis d when bit d of i is set (i = 0 ... 7, d = 0 for x, 1 for y, 2 for
-// z), so a book is the trilinear image of the unit cube: a deformed book is a deformed set of corners. Frames: W world,
-// B body; at the start of every scene the two coincide. The unit of length is the scene's own.
+// Corner i lies on the positive side of body axis d when bit d of i is set (i = 0 ... 7; d = 0: x, 1: y, 2: z), so a
+// book is the trilinear image of the unit cube: a deformed book is a deformed set of corners.
+// Frames: W world, B body; at the start of every scene the two coincide. The unit of length is the scene's own.
 #pragma once
 
 #include <Eigen/Core>

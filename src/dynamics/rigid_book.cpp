@@ -34,41 +34,33 @@ void normalize(Eigen::Quaterniond& q) {
 }
 
 MatrixBook::MatrixBook(const BookOptions& options)
-    : corners_B_(corners_at_rest(options.size)),
-      I_B_(principal_moments(options.size, options.particle_mass)),
-      L_W_(I_B_.cwiseProduct(options.omega_W)),
-      normalize_every_(options.normalize ? options.normalize_every : 0) {}
+    : body_(body_of(options)), normalization_{options.normalize_every}, L_W_(body_.I_B.cwiseProduct(options.omega_W)) {}
 
 void MatrixBook::step(double h) {
-  R_WB_ += h * (cross_matrix(angular_velocity_W(R_WB_, I_B_, L_W_)) * R_WB_);
-  ++steps_;
+  R_WB_ += h * (cross_matrix(angular_velocity_W(R_WB_, body_.I_B, L_W_)) * R_WB_);
   // det(R + h [omega]x R) = det R (1 + h^2 omega^2) > 0: U V^T is a rotation, never a reflection.
-  if (normalize_every_ > 0 && steps_ % normalize_every_ == 0 && R_WB_.allFinite()) {
+  if (normalization_.due() && R_WB_.allFinite()) {
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(R_WB_, Eigen::ComputeFullU | Eigen::ComputeFullV);
     R_WB_ = svd.matrixU() * svd.matrixV().transpose();
   }
 }
 
 double MatrixBook::kinetic_energy() const {
-  return rotational_energy(R_WB_, I_B_, L_W_);
+  return rotational_energy(R_WB_, body_.I_B, L_W_);
 }
 
 QuaternionBook::QuaternionBook(const BookOptions& options)
-    : corners_B_(corners_at_rest(options.size)),
-      I_B_(principal_moments(options.size, options.particle_mass)),
-      L_W_(I_B_.cwiseProduct(options.omega_W)),
-      normalize_every_(options.normalize ? options.normalize_every : 0) {}
+    : body_(body_of(options)), normalization_{options.normalize_every}, L_W_(body_.I_B.cwiseProduct(options.omega_W)) {}
 
 void QuaternionBook::step(double h) {
-  const Eigen::Vector3d omega_W = angular_velocity_W(q_WB_.toRotationMatrix(), I_B_, L_W_);
+  const Eigen::Vector3d omega_W = angular_velocity_W(q_WB_.toRotationMatrix(), body_.I_B, L_W_);
   const Eigen::Quaterniond rate(0.0, omega_W.x(), omega_W.y(), omega_W.z());
   q_WB_.coeffs() += 0.5 * h * (rate * q_WB_).coeffs();
-  ++steps_;
-  if (normalize_every_ > 0 && steps_ % normalize_every_ == 0) normalize(q_WB_);
+  if (normalization_.due()) normalize(q_WB_);
 }
 
 double QuaternionBook::kinetic_energy() const {
-  return rotational_energy(q_WB_.toRotationMatrix(), I_B_, L_W_);
+  return rotational_energy(q_WB_.toRotationMatrix(), body_.I_B, L_W_);
 }
 
 }  // namespace bookspin

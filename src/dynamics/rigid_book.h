@@ -4,10 +4,10 @@
 //   matrix:      R += h [omega_W]x R;         normalization R = U V^T of the singular value decomposition
 //   quaternion:  q += h/2 (0, omega_W) q;     normalization q = q / |q|
 //
-// The paper prints q' = q omega / 2, which holds for omega in body axes; its omega is in world axes, which needs omega
-// q / 2. The quaternion book takes R from q by the usual formula even when |q| = s is not 1; then R is (1 - s^2)
-// Identity + s^2 times the rotation of q / s: the book blended with its unrotated self, which is the pulsation of
-// Figure 12. Nothing throws; a state that has grown past the largest double is non-finite, and stays so.
+// The paper prints q' = q omega / 2, which holds for omega in body axes; its omega is in world axes, which needs
+// q' = omega q / 2. The quaternion book takes R from q by the usual formula even when |q| = s is not 1; then
+// R = (1 - s^2) 1 + s^2 R(q / s): the book blended with its unrotated self, which is the pulsation of Figure 12.
+// Nothing throws; a state that has grown past the largest double is non-finite, and stays so.
 #pragma once
 
 #include <Eigen/Core>
@@ -31,17 +31,15 @@ class MatrixBook {
   void step(double h);  // h: unit of time
 
   [[nodiscard]] const Eigen::Matrix3d& R_WB() const { return R_WB_; }
-  [[nodiscard]] Corners corners_W() const { return R_WB_ * corners_B_; }
+  [[nodiscard]] Corners corners_W() const { return R_WB_ * body_.corners_B; }
   [[nodiscard]] Eigen::Vector3d angular_momentum_W() const { return L_W_; }
   [[nodiscard]] double kinetic_energy() const;
 
  private:
-  Corners corners_B_;
-  Eigen::Vector3d I_B_;  // principal moments
+  Body body_;
+  Normalization normalization_;
   Eigen::Vector3d L_W_;
-  int normalize_every_;  // 0: never
   Eigen::Matrix3d R_WB_ = Eigen::Matrix3d::Identity();
-  long steps_ = 0;
 };
 
 class QuaternionBook {
@@ -51,17 +49,15 @@ class QuaternionBook {
   void step(double h);  // h: unit of time
 
   [[nodiscard]] const Eigen::Quaterniond& q_WB() const { return q_WB_; }
-  [[nodiscard]] Corners corners_W() const { return q_WB_.toRotationMatrix() * corners_B_; }
+  [[nodiscard]] Corners corners_W() const { return q_WB_.toRotationMatrix() * body_.corners_B; }
   [[nodiscard]] Eigen::Vector3d angular_momentum_W() const { return L_W_; }
   [[nodiscard]] double kinetic_energy() const;
 
  private:
-  Corners corners_B_;
-  Eigen::Vector3d I_B_;  // principal moments
+  Body body_;
+  Normalization normalization_;
   Eigen::Vector3d L_W_;
-  int normalize_every_;  // 0: never
   Eigen::Quaterniond q_WB_ = Eigen::Quaterniond::Identity();
-  long steps_ = 0;
 };
 
 }  // namespace bookspin

@@ -1,7 +1,8 @@
 // The rigid book by the methods beyond the paper's: stepped on (q_WB, L_B), or in closed form.
 //
 // Both give corners, angular momentum and energy of their own state, so that what a method loses is seen.
-// FreeBook: any rigid integrator but explicit Euler (rigid_steps.h); normalization is q = q / |q|, every n-th step.
+// FreeBook: any integrator with a rigid step (integrators.h; another throws std::invalid_argument); normalization is
+// q = q / |q|, every n-th step.
 // ExactBook: the closed form (torque_free.h) at the time it was last moved to; nothing accumulates. The motion does not
 // depend on the particles' mass and is computed with 1. Throws nothing for a size in 1e-6 ... 1e6 and a finite omega_W.
 #pragma once
@@ -23,20 +24,18 @@ class FreeBook {
 
   [[nodiscard]] const Eigen::Quaterniond& q_WB() const { return state_.q_WB; }
   [[nodiscard]] const Eigen::Vector3d& L_B() const { return state_.L_B; }
-  [[nodiscard]] Corners corners_W() const { return state_.q_WB.toRotationMatrix() * corners_B_; }
+  [[nodiscard]] Corners corners_W() const { return state_.q_WB.toRotationMatrix() * body_.corners_B; }
   [[nodiscard]] Eigen::Vector3d angular_momentum_W() const { return state_.q_WB.toRotationMatrix() * state_.L_B; }
-  [[nodiscard]] double kinetic_energy() const { return 0.5 * state_.L_B.dot(state_.L_B.cwiseQuotient(I_B_)); }
+  [[nodiscard]] double kinetic_energy() const { return 0.5 * state_.L_B.dot(state_.L_B.cwiseQuotient(body_.I_B)); }
 
  private:
-  Corners corners_B_;
-  Eigen::Vector3d I_B_;  // principal moments
+  Body body_;
+  Normalization normalization_;
   RigidState state_;
   Integrator integrator_;
   RigidStep step_;
-  int normalize_every_;           // 0: never
   double h_ = 0.0;                // the step that step_moments_ is for; 0: none yet
   Eigen::Vector3d step_moments_;  // for steps h_
-  long steps_ = 0;
 };
 
 class ExactBook {
@@ -46,20 +45,19 @@ class ExactBook {
   void move_to(double t) { state_ = motion_.at(t); }  // t: unit of time, from the start
 
   [[nodiscard]] const Eigen::Quaterniond& q_WB() const { return state_.q_WB; }
-  [[nodiscard]] Corners corners_W() const { return state_.q_WB.toRotationMatrix() * corners_B_; }
+  [[nodiscard]] Corners corners_W() const { return state_.q_WB.toRotationMatrix() * body_.corners_B; }
   [[nodiscard]] Eigen::Vector3d angular_momentum_W() const {
     return particle_mass_ * (state_.q_WB.toRotationMatrix() * state_.L_B);
   }
   [[nodiscard]] double kinetic_energy() const {
-    return 0.5 * particle_mass_ * state_.L_B.dot(state_.L_B.cwiseQuotient(I_B_));
+    return 0.5 * particle_mass_ * state_.L_B.dot(state_.L_B.cwiseQuotient(body_.I_B));
   }
 
  private:
-  Corners corners_B_;
+  Body body_;  // of particles of mass 1
   double particle_mass_;
-  Eigen::Vector3d I_B_;  // principal moments for particles of mass 1
   TorqueFree motion_;
-  TorqueFreeState state_;
+  RigidState state_;
 };
 
 }  // namespace bookspin

@@ -1,6 +1,5 @@
 #include "dynamics/rigid_steps.h"
 
-#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -44,6 +43,8 @@ Rates rates(const Rates& at, const Eigen::Vector3d& I_B) {
   return d;
 }
 
+}  // namespace
+
 void rk4_step(RigidState& state, const Eigen::Vector3d& I_B, double h) {
   Rates s;
   s << state.q_WB.coeffs(), state.L_B;
@@ -56,10 +57,10 @@ void rk4_step(RigidState& state, const Eigen::Vector3d& I_B, double h) {
   state.L_B = s.tail<3>();
 }
 
-// H = top + kick: the top has the moment of axis i about axis j too; the kick is what that leaves out, (1/I_j - 1/I_i)
-// L_j^2 / 2. The two axes with the nearest 1/I make the kick smallest: of the six choices never the worst, within 2.5
-// times the best error where the worst is 40 times (measured on the book and a less regular body). Rotating about the
-// three axes in turn is no better.
+// H = top + kick: the top has the moment of axis i about axis j too; the kick is what that leaves out,
+// (1/I_j - 1/I_i) L_j^2 / 2. The two axes with the nearest 1/I make the kick smallest: of the six choices never the
+// worst, within 2.5 times the best error where the worst is 40 times (measured on the book and a less regular body).
+// Rotating about the three axes in turn is no better.
 void splitting2_step(RigidState& state, const Eigen::Vector3d& I_B, double h) {
   const Eigen::Vector3d a = I_B.cwiseInverse();
   int symmetry = 0;
@@ -100,8 +101,7 @@ void dmv_step(RigidState& state, const Eigen::Vector3d& I, double h) {
     J -= 2.0 * half * e.transpose();
     const Eigen::Vector3d correction = J.inverse() * residual;
     e -= correction;
-    solved = correction.squaredNorm() <=
-             1e-18 * e.squaredNorm();  // quadratic: the error is now the square of the correction
+    solved = correction.squaredNorm() <= 1e-18 * e.squaredNorm();  // the error is now the square of the correction
   }
   if (!solved || !(e.squaredNorm() < 1.0)) {
     state = {Eigen::Quaterniond(nan, nan, nan, nan), Eigen::Vector3d::Constant(nan)};
@@ -111,30 +111,10 @@ void dmv_step(RigidState& state, const Eigen::Vector3d& I, double h) {
   turn(state, Eigen::Quaterniond(w, w * e.x(), w * e.y(), w * e.z()));
 }
 
-}  // namespace
-
-RigidStep rigid_step(Integrator integrator) {
-  switch (integrator) {
-    case Integrator::rk4:
-      return rk4_step;
-    case Integrator::splitting2:
-      return splitting2_step;
-    case Integrator::splitting4:
-      return splitting4_step;
-    case Integrator::dmv2:
-    case Integrator::dmv6:
-    case Integrator::dmv10:
-      return dmv_step;
-    default:
-      assert(false);
-      return rk4_step;
-  }
-}
-
-// 1 / moment_j = s / I_j + d, with s = 1 + h^2 s3 + h^4 s5 + ..., d = h^2 d3 + h^4 d5 + ...; s_k and
-// d_k are polynomials in H = sum L_j^2 / (2 I_j), C = sum L_j^2 / 2 and the elementary symmetric
-// functions of the 1 / I_j. s3 and d3 are as Hairer & Vilmart print them; all were found by equating
-// one step with the Taylor series of the motion, in rational arithmetic.
+// 1 / moment_j = s / I_j + d, with s = 1 + h^2 s3 + h^4 s5 + ..., d = h^2 d3 + h^4 d5 + ...; s_k and d_k are polynomials
+// in H = sum L_j^2 / (2 I_j), C = sum L_j^2 / 2 and the elementary symmetric functions of the 1 / I_j. s3 and d3 are as
+// Hairer & Vilmart print them; all were found by equating one step with the Taylor series of the motion, in rational
+// arithmetic.
 Eigen::Vector3d step_moments(Integrator integrator, const Eigen::Vector3d& I_B, const Eigen::Vector3d& L_B, double h) {
   if (integrator != Integrator::dmv6 && integrator != Integrator::dmv10) return I_B;
   const Eigen::Vector3d a = I_B.cwiseInverse();

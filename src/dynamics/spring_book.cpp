@@ -2,10 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "dynamics/composition.h"
+#include "dynamics/integrators.h"
 
 namespace bookspin {
 
@@ -13,10 +13,10 @@ SpringBook::SpringBook(const BookOptions& options)
     : stiffness_(options.stiffness),
       particle_mass_(options.particle_mass),
       damping_(options.damping * 2.0 * std::sqrt(options.stiffness * options.particle_mass)),
-      integrator_(options.integrator),
-      normalize_every_(options.normalize ? options.normalize_every : 0),
+      step_(step_of(options.integrator, &IntegratorInfo::spring_step)),
+      normalization_{options.normalize_every},
       rest_length_(),
-      x_W_(corners_at_rest(options.size)) {
+      x_W_(body_of(options).corners_B) {
   std::size_t pair = 0;
   for (int i = 0; i < 8; ++i) {
     v_W_.col(i) = options.omega_W.cross(x_W_.col(i));
@@ -49,35 +49,17 @@ SpringForces SpringBook::forces(const Corners& x_W, const Corners& v_W) const {
 }
 
 void SpringBook::step(double h) {
-  const bool normalizes = normalize_every_ > 0 && (steps_ + 1) % normalize_every_ == 0;
-  ++steps_;
-  if (integrator_ == Integrator::explicit_euler) {
-    const double elastic_energy_before = explicit_euler_step(h);
-    if (normalizes) normalize(elastic_energy_before);
-    return;
+  (this->*step_)(h);
+  if (normalization_.due()) {
+    normalize(step_ == &SpringBook::explicit_euler_step ? old_elastic_energy_ : elastic_energy());
   }
-  switch (integrator_) {
-    case Integrator::semi_implicit_euler:
-      semi_implicit_euler_step(h);
-      break;
-    case Integrator::velocity_verlet:
-      verlet_step(h);
-      break;
-    case Integrator::composition8:
-      for (const double fraction : kahan_li_order_8) verlet_step(fraction * h);
-      break;
-    default:
-      assert(integrator_ == Integrator::rk4);
-      rk4_step(h);
-  }
-  if (normalizes) normalize(elastic_energy());
 }
 
-double SpringBook::explicit_euler_step(double h) {
+void SpringBook::explicit_euler_step(double h) {
   const SpringForces old = forces(x_W_, v_W_);
   x_W_ += h * v_W_;
   v_W_ += (h / particle_mass_) * old.F_W;
-  return old.elastic_energy;
+  old_elastic_energy_ = old.elastic_energy;
 }
 
 void SpringBook::semi_implicit_euler_step(double h) {
@@ -105,6 +87,10 @@ void SpringBook::rk4_step(double h) {
   const Corners a4 = acceleration(x_W_ + h * v3, v4);
   x_W_ += (h / 6.0) * (v_W_ + 2.0 * (v2 + v3) + v4);
   v_W_ += (h / 6.0) * (a1 + 2.0 * (a2 + a3) + a4);
+}
+
+void SpringBook::composition8_step(double h) {
+  for (const double fraction : kahan_li_order_8) verlet_step(fraction * h);
 }
 
 void SpringBook::normalize(double elastic_energy) {

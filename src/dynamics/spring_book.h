@@ -9,7 +9,8 @@
 // Normalization, every n-th step: v is scaled so that the kinetic energy becomes max(0.1 E0, E0 - elastic energy)
 // (explicit Euler: of the OLD positions), then mean position and mean velocity are taken away. The floor answers the
 // printed formula's root of a negative number; `floor_hits` counts how often it bites.
-// Coincident particles have no direction: their spring pulls nothing. World frame. Nothing throws; overflow stays NaN.
+// Coincident particles have no direction: their spring pulls nothing. World frame. Overflow stays NaN. Throws
+// std::invalid_argument for an integrator without a spring step (integrators.h).
 #pragma once
 
 #include <array>
@@ -25,9 +26,11 @@ struct SpringForces {
 
 class SpringBook {
  public:
+  using Step = void (SpringBook::*)(double h);
+
   explicit SpringBook(const BookOptions& options);
 
-  void step(double h);  // h: unit of time
+  void step(double h);  // h: unit of time; by the integrator of the options, normalized when it is time
 
   [[nodiscard]] const Corners& corners_W() const { return x_W_; }
   [[nodiscard]] const Corners& velocities_W() const { return v_W_; }
@@ -38,24 +41,27 @@ class SpringBook {
 
   [[nodiscard]] SpringForces forces(const Corners& x_W, const Corners& v_W) const;
 
- private:
-  double explicit_euler_step(double h);  // the elastic energy of the old positions
+  // One step of each integrator, never normalized.
+  void explicit_euler_step(double h);
   void semi_implicit_euler_step(double h);
   void verlet_step(double h);
   void rk4_step(double h);
+  void composition8_step(double h);
+
+ private:
   void normalize(double elastic_energy);
 
   double stiffness_;
   double particle_mass_;
   double damping_;  // c, mass over time
-  Integrator integrator_;
-  int normalize_every_;                 // 0: never
+  Step step_;
+  Normalization normalization_;
   std::array<double, 28> rest_length_;  // pairs (i, j), i < j, row by row
   Corners x_W_;
   Corners v_W_;
-  Corners F_W_;          // Verlet: the forces at x_W_
-  double start_energy_;  // E0: kinetic, since the springs start at rest
-  long steps_ = 0;
+  Corners F_W_;                      // Verlet: the forces at x_W_
+  double old_elastic_energy_ = 0.0;  // explicit Euler: before the last step
+  double start_energy_;              // E0: kinetic, since the springs start at rest
   long floor_hits_ = 0;
 };
 

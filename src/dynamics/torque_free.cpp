@@ -187,12 +187,12 @@ TorqueFree::TorqueFree(const Eigen::Vector3d& I_B, const Eigen::Quaterniond& q_W
   frames_ = frames(q0 * q_BC * (about_L * tilt).conjugate(), q_BC);
 }
 
-TorqueFreeState TorqueFree::at(double t) const {
+RigidState TorqueFree::at(double t) const {
   const double time = t * time_scale_;
   const Dd turns = two_product(turn_rate_.hi, time);
   const double fraction = turns.hi - ((turns.hi + to_integer) - to_integer);
   double angle = 2 * std::numbers::pi * (fraction + (turns.lo + turn_rate_.lo * time));
-  TorqueFreeState state;
+  RigidState state;
   if (steady_) {
     state.q_WB.coeffs().noalias() = frames_.leftCols<2>() * Eigen::Vector2d(std::cos(angle), std::sin(angle));
     state.L_B = amplitude_ * L_;

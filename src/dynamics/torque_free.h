@@ -55,20 +55,16 @@
 #include <Eigen/Geometry>
 #include <array>
 
+#include "dynamics/rigid_state.h"
 #include "dynamics/torque_free_theta.h"
 
 namespace bookspin {
-
-struct TorqueFreeState {
-  Eigen::Quaterniond q_WB;  // |q| = 1
-  Eigen::Vector3d L_B;      // angular momentum in the body frame
-};
 
 class TorqueFree {
  public:
   TorqueFree(const Eigen::Vector3d& I_B, const Eigen::Quaterniond& q_WB0, const Eigen::Vector3d& L_W);
 
-  [[nodiscard]] TorqueFreeState at(double t) const;
+  [[nodiscard]] RigidState at(double t) const;  // |q| = 1
 
   // 2 K / lambda, the time between zeros of the middle-axis component of L_B: one flip of the book. Infinite on the
   // separatrix and when steady.

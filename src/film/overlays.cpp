@@ -20,13 +20,9 @@ constexpr double arrow_reach = 1.4;
 constexpr double axis_beyond_cover = 0.42;
 constexpr double full_strain = 0.1;  // a spring longer by this share has the full colour
 
-double half_diagonal(const BookSetup& setup) {
-  return 0.5 * setup.options.size.norm();
-}
-
 void add_axes(Shot& shot, const BookSetup& setup, const BookFrame& now) {
-  const double unit = half_diagonal(setup);
-  const Eigen::Matrix3d F_WB = deformation(now.corners_W, corners_at_rest(setup.options.size));
+  const double unit = body_of(setup.options).reach;
+  const Eigen::Matrix3d F_WB = deformation(now.corners_W, body_of(setup.options).corners_B);
   for (int d = 0; d < 3; ++d) {
     const Color& color = axis_colors[static_cast<std::size_t>(d)];
     const Eigen::Vector3d surface_W = F_WB.col(d) * (0.5 * setup.options.size(d));
@@ -42,7 +38,7 @@ void add_axes(Shot& shot, const BookSetup& setup, const BookFrame& now) {
 
 void add_arrow(Shot& shot, const BookSetup& setup, const Eigen::Vector3d& vector, double full, const Color& color,
                const char* name, double below) {
-  const double unit = half_diagonal(setup);
+  const double unit = body_of(setup.options).reach;
   if (!(full > 0.0)) return;
   const Eigen::Vector3d tip_W = vector * (arrow_reach * unit / full);
   shot.arrows.push_back({setup.position_W, setup.position_W + tip_W, color, 0.02 * unit});
@@ -53,12 +49,12 @@ void add_arrow(Shot& shot, const BookSetup& setup, const Eigen::Vector3d& vector
 }
 
 Eigen::Vector3d angular_velocity_of(const BookSetup& setup, const BookFrame& now) {
-  const Eigen::Vector3d I_B = principal_moments(setup.options.size, setup.options.particle_mass);
+  const Eigen::Vector3d I_B = body_of(setup.options).I_B;
   return angular_velocity_W(now.q_WB.toRotationMatrix(), I_B, now.L_W);
 }
 
 void add_trace(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame) {
-  const Eigen::Vector3d axis_B = setup.options.omega_W.normalized() * (trace_reach * half_diagonal(setup));
+  const Eigen::Vector3d axis_B = setup.options.omega_W.normalized() * (trace_reach * body_of(setup.options).reach);
   const auto tip_W = [&](int n) { return Eigen::Vector3d(setup.position_W + track.shown(n).q_WB * axis_B); };
   const int first = std::max(0, frame - trace_frames);
   for (int n = first; n < frame; ++n) {
@@ -73,7 +69,7 @@ std::uint8_t mix(std::uint8_t from, std::uint8_t to, double share) {
 }
 
 void add_springs(Shot& shot, const BookSetup& setup, const BookFrame& now) {
-  const Corners corners_B = corners_at_rest(setup.options.size);
+  const Corners corners_B = body_of(setup.options).corners_B;
   for (int i = 0; i < 8; ++i) {
     for (int j = i + 1; j < 8; ++j) {
       const double rest = (corners_B.col(i) - corners_B.col(j)).norm();
@@ -118,7 +114,7 @@ double overlay_reach(const BookSetup& setup) {
   double reach = 0.0;
   if (setup.show.trace) reach = std::max(reach, trace_reach + 0.02);
   if (setup.show.angular_velocity || setup.show.angular_momentum) reach = std::max(reach, arrow_reach + 0.2);
-  return reach * half_diagonal(setup);
+  return reach * body_of(setup.options).reach;
 }
 
 std::string head_up_text(const Quantity& quantity, const BookFrame& frame) {

@@ -70,13 +70,9 @@ Camera camera_that_frames(const std::vector<Sphere>& spheres, const Eigen::Vecto
   return camera;
 }
 
-double half_diagonal(const BookSetup& setup) {
-  return 0.5 * setup.options.size.norm();
-}
-
 // Below the book in the picture: along the camera's down, not the world's.
 Eigen::Vector3d name_anchor_W(const Scene& scene, const BookSetup& setup) {
-  return setup.position_W - camera_axes(scene.view.from).up_W * (name_offset * half_diagonal(setup));
+  return setup.position_W - camera_axes(scene.view.from).up_W * (name_offset * body_of(setup.options).reach);
 }
 
 }  // namespace
@@ -87,7 +83,7 @@ Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, double 
   last_moving_frame_ = 0;
   for (std::size_t b = 0; b < scene.books.size(); ++b) {
     const BookSetup& setup = scene.books[b];
-    const double unit = half_diagonal(setup);
+    const double unit = body_of(setup.options).reach;
     last_moving_frame_ = std::max(last_moving_frame_, trajectory.books[b].exploded_frame.value_or(scene.clip.frames));
     double farthest = 1.0;
     for (int n = 0; n < scene.clip.frames; ++n) farthest = std::max(farthest, trajectory.books[b].shown(n).extent);

@@ -30,7 +30,7 @@ StepCost step_cost() {
   BookOptions options;
   options.omega_W = {0.11482, 1e-4, 5e-5};
   BookOptions plain = options;
-  plain.normalize = false;
+  plain.normalize_every = 0;
   return {ns([&] { return MatrixBook(options); }), ns([&] { return MatrixBook(plain); }),
           ns([&] { return QuaternionBook(options); }), ns([&] { return QuaternionBook(plain); })};
 }

@@ -25,7 +25,7 @@ Vector24 from_axis(const Vector24& x, const Eigen::Vector3d& omega) {
 // moved by half a diagonal.
 double predicted_undamped_explosion(const BookOptions& options, double h) {
   const SpringModes modes = spring_modes(options.size);
-  const Corners rest = corners_at_rest(options.size);
+  const Corners rest = body_of(options).corners_B;
   const Vector24 pull = modes.vectors.transpose() * from_axis(rest.reshaped(), options.omega_W);
   const auto moved = [&](double t) {
     Eigen::Matrix<double, 8, 1> distance = Eigen::Matrix<double, 8, 1>::Zero();
@@ -54,7 +54,7 @@ double predicted_undamped_explosion(const BookOptions& options, double h) {
 // spin. A stiff book's I is constant, and t = 1 / (2 h omega^2).
 double predicted_damped_explosion(const BookOptions& options, double h) {
   const Matrix24 K = options.stiffness / options.particle_mass * stiffness_matrix(options.size);
-  const Corners rest = corners_at_rest(options.size);
+  const Corners rest = body_of(options).corners_B;
   const Vector24 x = rest.reshaped();
   Matrix24 P;
   for (int d = 0; d < 24; ++d) P.col(d) = from_axis(Vector24::Unit(d), options.omega_W);
@@ -76,7 +76,7 @@ double predicted_damped_explosion(const BookOptions& options, double h) {
 // Steps until a corner is twice as far as at rest. -1: not within `most`.
 long steps_to_explosion(const BookOptions& options, double h, long most) {
   SpringBook book(options);
-  const Corners rest = corners_at_rest(options.size);
+  const Corners rest = body_of(options).corners_B;
   for (long n = 1; n <= most; ++n) {
     book.step(h);
     if (n % 4 == 0 && !(extent(book.corners_W(), rest) <= 2.0)) return n;

@@ -48,11 +48,11 @@ constexpr Contender contenders[] = {
 // The kick lies along the growing direction's plane: both small components of omega, in the proportion of case a.
 BookOptions options_for(const Contender& contender, double kick) {
   BookOptions options;
-  const Eigen::Vector3d I_B = principal_moments(options.size, options.particle_mass);
+  const Eigen::Vector3d I_B = body_of(options).I_B;
   options.omega_W = spin * I_B.x() * Eigen::Vector3d(1.0, kick, 0.5 * kick).cwiseQuotient(I_B);
   options.integrator = contender.integrator;
   options.damping = contender.damping;
-  options.normalize = contender.normalize;
+  options.normalize_every = contender.normalize ? 1 : 0;
   return options;
 }
 
@@ -67,7 +67,7 @@ void follow(const Contender& contender, const BookOptions& options, double T, Lo
       for (int i = 0; i < steps_a_sample; ++i) book.step(h);
     }
   };
-  const Corners rest = corners_at_rest(options.size);
+  const Corners rest = body_of(options).corners_B;
   switch (contender.kind) {
     case Kind::exact: {
       const TorqueFree motion = exact_motion(options);
@@ -131,7 +131,7 @@ double flip_time(const Contender& contender, double kick, double most) {
 }  // namespace
 
 double theoretical_growth_rate() {
-  const Eigen::Vector3d I_B = principal_moments(BookOptions().size, 1.0);
+  const Eigen::Vector3d I_B = body_of(BookOptions()).I_B;
   return intermediate_axis_growth_rate(I_B, spin * I_B.x());
 }
 

@@ -77,7 +77,7 @@ class Exact {
  private:
   TorqueFree motion_;
   double interval_;
-  TorqueFreeState state_;
+  RigidState state_;
   long evaluations_ = 0;
 };
 
@@ -127,7 +127,7 @@ BookOptions RigidCase::options() const {
   BookOptions options;
   options.particle_mass = 0.5;  // principal moments b^2 + c^2, ...
   for (int d = 0; d < 3; ++d) options.size(d) = std::sqrt(0.5 * (I_B.sum() - 2.0 * I_B(d)));
-  options.omega_W = L_W.cwiseQuotient(principal_moments(options.size, options.particle_mass));
+  options.omega_W = L_W.cwiseQuotient(body_of(options).I_B);
   return options;
 }
 

@@ -60,22 +60,22 @@ double farthest(const Corners& a, const Corners& b) {
 }
 
 Corners rigid_corners(const BookOptions& options, double t) {
-  return exact_motion(options).at(t).q_WB.toRotationMatrix() * corners_at_rest(options.size);
+  return exact_motion(options).at(t).q_WB.toRotationMatrix() * body_of(options).corners_B;
 }
 
 // The motion of ref_springs.txt: k = 10, m = 1, the unit of time about one turn in six.
 BookOptions reference_options() {
   BookOptions options;
-  const Eigen::Vector3d I_B = principal_moments(options.size, 1.0);
+  const Eigen::Vector3d I_B = body_of(options).I_B;
   options.omega_W = {1.0, 1e-3 * I_B.x() / I_B.y(), 5e-4 * I_B.x() / I_B.z()};
-  options.normalize = false;
+  options.normalize_every = 0;
   options.damping = 0.0;
   return options;
 }
 
 BookOptions book_of_case_a() {
   BookOptions book;
-  book.omega_W = Eigen::Vector3d(1.0, 1e-3, 5e-4).cwiseQuotient(principal_moments(book.size, 0.5));
+  book.omega_W = Eigen::Vector3d(1.0, 1e-3, 5e-4).cwiseQuotient(0.5 * body_of(book).I_B);
   return book;
 }
 
@@ -102,13 +102,13 @@ void spring_work_precision(const std::filesystem::path& reference, const Effort&
   const int samples = static_cast<int>(expected.size());
   const double interval = T / samples;
   const BookOptions options = reference_options();
-  const double half_diagonal = 0.5 * options.size.norm();
+  const double reach = body_of(options).reach;
   const auto run_once = [&](const std::string& method, double setting, auto&& start) {
     Run run{"springs", method, setting};
     measure(run, samples, T, effort, start, [&](const auto& runner, int i) {
       const Corners x = corners_of(runner);
       const auto k = static_cast<std::size_t>(i);
-      const double error = farthest(x, expected[k]) / half_diagonal;
+      const double error = farthest(x, expected[k]) / reach;
       if (!(error < 1e3)) return false;  // a thousand times its own size: exploded
       run.error = std::max(run.error, error);
       return true;
@@ -162,7 +162,7 @@ void springs_against_rigid(const Effort& effort, std::vector<Run>& runs) {
       });
     };
     add("springs, Euler (the paper)", book);
-    book.normalize = false;
+    book.normalize_every = 0;
     book.damping = 0.0;
     for (const auto& [name, integrator] : spring_integrators) {
       book.integrator = integrator;
@@ -213,17 +213,17 @@ Table spring_model_error(const Effort& effort) {
       table.rows.push_back({stiffness, springs, method, h, largest(x, own), largest(own, rigid), largest(x, rigid)});
     };
     BookOptions undamped = book;
-    undamped.normalize = false;
+    undamped.normalize_every = 0;
     undamped.damping = 0.0;
     undamped.integrator = Integrator::composition8;
     add("undamped", "velocity Verlet", undamped, 0.1 * std::sqrt(10.0 / stiffness), Integrator::velocity_verlet);
     BookOptions damped = book;
-    damped.normalize = false;
+    damped.normalize_every = 0;
     damped.integrator = Integrator::rk4;
     const double fine_step = 0.02 / std::sqrt(stiffness);
     add("damped", "explicit Euler", damped, fine_step, Integrator::explicit_euler);
     BookOptions normalized = damped;
-    normalized.normalize = true;
+    normalized.normalize_every = 1;
     add("damped and normalized", "explicit Euler (the paper)", normalized, fine_step, Integrator::explicit_euler);
   }
   return table;

@@ -63,7 +63,7 @@ bool linearly_stable(const BookOptions& options, const Eigen::VectorXd& mu_of_mo
 // holds a growing vibration back (which it does: just beyond the limit some never explode).
 bool keeps_shape(const BookOptions& options, double h, int steps) {
   SpringBook book(options);
-  const Corners rest = corners_at_rest(options.size);
+  const Corners rest = body_of(options).corners_B;
   for (int n = 1; n <= steps; ++n) {
     book.step(h);
     if (n % 16 == 0 && !(stretch(book.corners_W(), rest) <= 1e-3)) return false;
@@ -75,7 +75,7 @@ bool keeps_shape(const BookOptions& options, double h, int steps) {
 
 // K m / k on the positions, corner by corner.
 Matrix24 stiffness_matrix(const Eigen::Vector3d& size) {
-  const Corners x = corners_at_rest(size);
+  const Corners x = body_of({.size = size}).corners_B;
   Matrix24 K = Matrix24::Zero();
   for (Eigen::Index i = 0; i < 8; ++i) {
     for (Eigen::Index j = i + 1; j < 8; ++j) {
@@ -95,7 +95,7 @@ BookOptions unnormalized_springs(double stiffness, double damping, Integrator in
   options.stiffness = stiffness;
   options.damping = damping;
   options.integrator = integrator;
-  options.normalize = false;
+  options.normalize_every = 0;
   return options;
 }
 

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 
 #include "files/files.h"
+#include "scene/any_book.h"
 #include "scene/override.h"
 #include "scene/quantities.h"
 #include "scene/table_reader.h"
@@ -21,26 +20,16 @@ namespace {
 
 constexpr std::array<std::string_view, 4> method_names{"springs", "matrix", "quaternion", "exact"};
 constexpr std::array<std::string_view, 2> style_names{"solid", "ghost"};
-constexpr std::array<std::string_view, 10> integrator_names{"explicit_euler",
-                                                            "semi_implicit_euler",
-                                                            "velocity_verlet",
-                                                            "rk4",
-                                                            "composition8",
-                                                            "splitting2",
-                                                            "splitting4",
-                                                            "dmv2",
-                                                            "dmv6",
-                                                            "dmv10"};
 
 constexpr int most_frames = 100000;       // half an hour at 60 frames a second
 constexpr int most_book_frames = 300000;  // books times frames: what a trajectory may take of memory
 constexpr int most_books = 8;
 
 Range positive() {
-  return {0.0, any, true};
+  return {0.0, largest_number, true};
 }
 Range signed_number() {
-  return {-any, any};
+  return {-largest_number, largest_number};
 }
 
 std::vector<std::string_view> quantity_names() {
@@ -67,7 +56,7 @@ void read_view(TableReader& scene_reader, ViewSetup& view) {
   if (!node->is_table()) scene_reader.fail(*node, "view", "a table [view]");
   TableReader reader(*node->as_table(), "view");
   reader.read("from", view.from, signed_number());
-  if (view.from.head<1>().norm() + std::abs(view.from.z()) == 0.0) {
+  if (view.from.x() == 0.0 && view.from.z() == 0.0) {
     reader.fail(*reader.node("from"), "from", "a direction that does not point straight up or down: x or z not 0");
   }
   const std::vector<std::string_view> names = quantity_names();
@@ -102,35 +91,28 @@ void read_show(TableReader& reader, Show& show) {
   for (const std::size_t i : reader.read_words("show", words)) *parts[i].second = true;
 }
 
-// Words that `integrator` may be for a method, for an error that lists them; empty for the exact motion, which takes no
-// steps.
-std::vector<std::string_view> integrators_of(Method method, bool damped) {
-  switch (method) {
-    case Method::springs:
-      if (damped) return {"explicit_euler", "semi_implicit_euler", "rk4"};
-      return {"explicit_euler", "semi_implicit_euler", "velocity_verlet", "rk4", "composition8"};
-    case Method::matrix:
-      return {"explicit_euler"};
-    case Method::quaternion:
-      return {"explicit_euler", "rk4", "splitting2", "splitting4", "dmv2", "dmv6", "dmv10"};
-    case Method::exact:
-      break;
-  }
-  return {};
-}
-
-void check_integrator(TableReader& reader, const BookSetup& book) {
+// One that the method takes, with the damping that the book has.
+void read_integrator(TableReader& reader, BookSetup& book) {
   const toml::node* node = reader.node("integrator");
   if (node == nullptr) return;
-  const bool damped = book.options.damping > 0.0;
-  const std::vector<std::string_view> allowed = integrators_of(book.method, damped);
-  const std::string_view found = integrator_names[static_cast<std::size_t>(book.options.integrator)];
-  if (std::find(allowed.begin(), allowed.end(), found) != allowed.end()) return;
+  const std::optional<std::string> word = node->value<std::string>();
+  const bool damped = book.method == Method::springs && book.options.damping > 0.0;
+  std::vector<std::string_view> allowed;
+  std::vector<std::string_view> undamped;  // what damping alone forbids
+  for (const IntegratorInfo& integrator : integrators) {
+    if (takes(book.method, damped, integrator)) {
+      allowed.push_back(integrator.name);
+      if (word != integrator.name) continue;
+      book.options.integrator = integrator.id;
+      return;
+    }
+    if (takes(book.method, false, integrator)) undamped.push_back(integrator.name);
+  }
   if (allowed.empty()) reader.fail(*node, "integrator", "none: the exact motion takes no steps");
-  const std::string_view with = book.method == Method::springs && damped ? " with damping" : "";
-  const std::string_view hint = with.empty() ? "" : "; velocity_verlet and composition8 need damping = false";
-  reader.fail(*node, "integrator",
-              fmt::format("for {}{} one of {}{}", name_of(book.method), with, fmt::join(allowed, ", "), hint));
+  std::string text =
+      fmt::format("for {}{} one of {}", name_of(book.method), damped ? " with damping" : "", fmt::join(allowed, ", "));
+  if (!undamped.empty()) text += fmt::format("; {} need damping = false", fmt::join(undamped, " and "));
+  reader.fail(*node, "integrator", text);
 }
 
 BookSetup read_book(const toml::table& table, const std::string& path) {
@@ -139,14 +121,15 @@ BookSetup read_book(const toml::table& table, const std::string& path) {
   BookOptions& o = book.options;
   reader.read("name", book.name);
   book.method = static_cast<Method>(reader.read_word("method", method_names, 0));
-  o.integrator = static_cast<Integrator>(reader.read_word("integrator", integrator_names, 0));
-  reader.read("size", o.size, {1e-6, any});
+  reader.read("size", o.size, {1e-6, largest_number});
   reader.read("angular_velocity", o.omega_W, signed_number());
   reader.read("jiggle", book.jiggle, {0.0, 1.0});
-  reader.read("normalize", o.normalize);
+  bool normalize = true;
+  reader.read("normalize", normalize);
   reader.read("normalize_every", o.normalize_every, 1, 1000000);
+  if (!normalize) o.normalize_every = 0;
   read_damping(reader, o.damping);
-  check_integrator(reader, book);
+  read_integrator(reader, book);
   reader.read("stiffness", o.stiffness, positive());
   reader.read("particle_mass", o.particle_mass, positive());
   reader.read("position", book.position_W, signed_number());

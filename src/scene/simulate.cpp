@@ -6,34 +6,14 @@
 #include <numbers>
 #include <random>
 #include <type_traits>
-#include <variant>
 
-#include "dynamics/rigid_book.h"
-#include "dynamics/rigid_motion.h"
 #include "dynamics/shape.h"
-#include "dynamics/spring_book.h"
+#include "scene/any_book.h"
 
 namespace bookspin {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-using AnyBook = std::variant<SpringBook, MatrixBook, QuaternionBook, FreeBook, ExactBook>;
-
-AnyBook make_book(Method method, const BookOptions& options) {
-  switch (method) {
-    case Method::springs:
-      return SpringBook(options);
-    case Method::matrix:
-      return MatrixBook(options);
-    case Method::quaternion:
-      if (options.integrator != Integrator::explicit_euler) return FreeBook(options);
-      return QuaternionBook(options);
-    case Method::exact:
-      break;
-  }
-  return ExactBook(options);
-}
 
 // Counts the passages of a value between two levels: up through `high` after having been below `low`, and back.
 class Passages {
@@ -106,7 +86,7 @@ class Recorder {
  public:
   // `options`: those of the setup, with the jiggle in omega_W.
   Recorder(const BookSetup& setup, const BookOptions& options, std::size_t frames)
-      : corners_B_(corners_at_rest(options.size)), exact_(exact_motion(options)) {
+      : corners_B_(body_of(options).corners_B), exact_(exact_motion(options)) {
     const double speed = setup.options.omega_W.norm();
     if (speed > 0.0) spin_axis_ = setup.options.omega_W / speed;
     track_.frames.reserve(frames);

@@ -13,7 +13,7 @@ namespace {
 
 std::string text_of(const Range& range) {
   const char* more = range.least_excluded ? "more than" : "from";
-  if (range.least <= -any && range.most >= any)
+  if (range.least <= -largest_number && range.most >= largest_number)
     return fmt::format("a number between {:g} and {:g}", range.least, range.most);
   return fmt::format("a number {} {:g}{} {:g}", more, range.least, range.least_excluded ? ", up to" : " to",
                      range.most);

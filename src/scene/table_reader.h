@@ -21,7 +21,7 @@ struct Range {
   bool least_excluded = false;
 };
 
-inline constexpr double any = 1e6;  // larger numbers than this are a slip of the pen
+inline constexpr double largest_number = 1e6;  // a larger one is a slip of the pen
 
 class TableReader {
  public:

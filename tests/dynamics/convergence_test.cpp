@@ -1,7 +1,6 @@
-// Explicit Euler against exact motion: first order, and the growth rate of the unstable spin.
+// Rigid explicit Euler against exact motion (the springs': integrators_test.cpp): first order, and the growth rate of the unstable spin.
 //
-// The literal samples are of reference solutions computed with 30 digits and more (rigid book: closed form; springs:
-// high-order integration, good to 2e-12).
+// The literal samples are of the closed form, computed with 30 digits and more.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -20,7 +19,7 @@ namespace {
 BookOptions reference_book() {
   BookOptions o;
   o.particle_mass = 0.5;
-  o.omega_W = Eigen::Vector3d(1.0, 0.001, 0.0005).cwiseQuotient(principal_moments(o.size, o.particle_mass));
+  o.omega_W = Eigen::Vector3d(1.0, 0.001, 0.0005).cwiseQuotient(body_of(o).I_B);
   return o;
 }
 
@@ -86,8 +85,8 @@ TEST(Convergence, of_the_quaternion_is_of_first_order) {
 // The corners of the unnormalized methods converge as well, while they are still close to a rotation.
 TEST(Convergence, of_the_unnormalized_methods_is_of_first_order) {
   BookOptions o = reference_book();
-  o.normalize = false;
-  const Corners rest = corners_at_rest(o.size);
+  o.normalize_every = 0;
+  const Corners rest = body_of(o).corners_B;
   const Corners exact = samples()[0].q_WB.toRotationMatrix() * rest;
   const auto error = [&](auto book, int per_unit) {
     for (int n = 0; n < 10 * per_unit; ++n) book.step(1.0 / per_unit);
@@ -99,51 +98,6 @@ TEST(Convergence, of_the_unnormalized_methods_is_of_first_order) {
   const double quaternion = error(QuaternionBook(o), 200);
   EXPECT_LE(quaternion, tolerance(1e-3));                                                    // measured: 0.00024
   EXPECT_NEAR(std::log2(error(QuaternionBook(o), 100) / quaternion), 1.0, tolerance(0.02));  // measured: 3.5e-05
-}
-
-// The undamped springs at t = 10 / 3, from omega = (1, 1e-3 Ix / Iy, 5e-4 Ix / Iz): positions, then velocities.
-TEST(Convergence, of_the_springs_is_of_first_order) {
-  BookOptions o;
-  const Eigen::Vector3d I = principal_moments(o.size, 1.0);
-  o.omega_W = Eigen::Vector3d(1.0, 1e-3 * I.x() / I.y(), 5e-4 * I.x() / I.z());
-  o.normalize = false;
-  o.damping = 0.0;
-  Corners x;
-  Corners v;
-  // clang-format off
-  x.transpose() <<
-      -0.921584311183293626579, 1.43946498620089333934, 0.375080370310965301812,
-      0.902683846336684170091, 1.44773556130592091805, 0.392244230688239086367,
-      -0.921763758472607014664, -1.50289540989238501651, 0.112665400340178194092,
-      0.932254187731084122282, -1.4944665949400996076, 0.130182962570966781243,
-      -0.932254187731084122282, 1.4944665949400996076, -0.130182962570966781243,
-      0.921763758472607014664, 1.50289540989238501651, -0.112665400340178194098,
-      -0.902683846336684170091, -1.44773556130592091805, -0.392244230688239086367,
-      0.921584311183293626579, -1.43946498620089333934, -0.375080370310965301812;
-  v.transpose() <<
-      0.159257686155498272409, -0.429708401975175079964, 1.38280371996797108651,
-      -0.167342151464010983233, -0.444101373680842310949, 1.3969892518935290676,
-      0.118561669458523150271, -0.0312278585004839105008, -1.45860500385394468189,
-      -0.112550766473992525641, -0.0456561706085452061081, -1.44495674431781879652,
-      0.112550766473992525655, 0.0456561706085452060606, 1.44495674431781879663,
-      -0.118561669458523150257, 0.0312278585004839105313, 1.45860500385394468189,
-      0.167342151464010983233, 0.444101373680842310949, -1.3969892518935290676,
-      -0.159257686155498272436, 0.429708401975175080019, -1.38280371996797108662;
-  // clang-format on
-  struct Error {
-    double x, v;
-  };
-  const auto error = [&](int steps) {
-    SpringBook book(o);
-    for (int n = 0; n < steps; ++n) book.step(10.0 / 3.0 / steps);
-    return Error{(book.corners_W() - x).cwiseAbs().maxCoeff(), (book.velocities_W() - v).cwiseAbs().maxCoeff()};
-  };
-  const Error coarse = error(40000);
-  const Error fine = error(80000);
-  EXPECT_LE(fine.x, tolerance(1e-3));                               // measured: 0.0003
-  EXPECT_LE(fine.v, tolerance(1e-2));                               // measured: 0.00083
-  EXPECT_NEAR(std::log2(coarse.x / fine.x), 1.0, tolerance(0.02));  // measured: 0.00011
-  EXPECT_NEAR(std::log2(coarse.v / fine.v), 1.0, tolerance(0.02));  // measured: 0.0027
 }
 
 // sigma = omega sqrt((I2 - I1) (I3 - I2) / (I1 I3)), I1 < I2 < I3: a small part of omega off the intermediate axis is a
@@ -174,14 +128,14 @@ BookOptions unstable_start(double omega) {
 
 TEST(IntermediateAxis, growth_rate_is_that_of_theory_for_every_method) {
   const BookOptions o = unstable_start(0.11482);
-  const double sigma = theory(0.11482, principal_moments(o.size, 1.0));
+  const double sigma = theory(0.11482, body_of(o).I_B);
   EXPECT_NEAR(sigma, sigma_of_the_original, 5e-5);  // the printed digits
 
   const std::function<Eigen::Matrix3d(const MatrixBook&)> matrix = [](const MatrixBook& b) { return b.R_WB(); };
   const std::function<Eigen::Matrix3d(const QuaternionBook&)> quaternion = [](const QuaternionBook& b) {
     return b.q_WB().toRotationMatrix();
   };
-  const Corners rest = corners_at_rest(o.size);
+  const Corners rest = body_of(o).corners_B;
   const std::function<Eigen::Matrix3d(const SpringBook&)> springs = [&rest](const SpringBook& b) {
     return best_fit_orientation(b.corners_W(), rest).toRotationMatrix();
   };

@@ -15,7 +15,7 @@ Vector difference(const Vector& a, const Vector& b) {
 }
 
 bool time_to_normalize(const BookOptions& options, int steps) {
-  return options.normalize && steps % options.normalize_every == 0;
+  return options.normalize_every > 0 && steps % options.normalize_every == 0;
 }
 
 }  // namespace

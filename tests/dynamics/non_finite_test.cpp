@@ -17,7 +17,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 void measure(const Corners& corners, const BookOptions& o) {
-  const Corners rest = corners_at_rest(o.size);
+  const Corners rest = body_of(o).corners_B;
   EXPECT_EQ(best_fit_orientation(corners, rest).coeffs().allFinite(), true);
   if (!corners.allFinite()) {
     EXPECT_TRUE(std::isnan(stretch(corners, rest)));
@@ -47,7 +47,7 @@ int explode(Book book, const BookOptions& o, double h, int steps) {
 
 TEST(Explosion, of_unnormalized_books_ends_in_no_number_and_stays_there) {
   BookOptions o = random_options(1);
-  o.normalize = false;
+  o.normalize_every = 0;
   EXPECT_GT(explode(SpringBook(o), o, 0.5, 5000), 0);
   EXPECT_GT(explode(MatrixBook(o), o, 0.5, 5000), 0);
   EXPECT_GT(explode(QuaternionBook(o), o, 0.5, 5000), 0);
@@ -87,7 +87,7 @@ TEST(NoNumber, in_the_start_stays_no_number) {
     for (const bool normalize : {true, false}) {
       BookOptions o = random_options(3);
       o.omega_W.y() = bad;
-      o.normalize = normalize;
+      o.normalize_every = normalize ? 1 : 0;
       SpringBook springs(o);
       MatrixBook matrix(o);
       QuaternionBook quaternion(o);

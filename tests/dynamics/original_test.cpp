@@ -26,7 +26,7 @@ double relative(const A& a, const B& b) {
 TEST(Original, book_has_its_size_and_corners) {
   const BookOptions options;
   EXPECT_EQ(options.size, Eigen::Vector3d(1.878, 2.9085, 0.5));
-  const Corners corners = corners_at_rest(options.size);
+  const Corners corners = body_of(options).corners_B;
   const double a = 1.878 / 2;
   const double b = 2.9085 / 2;
   const double c = 0.25;
@@ -42,14 +42,13 @@ TEST(Original, springs_have_its_constants) {
   EXPECT_EQ(options.stiffness, 10.0);
   EXPECT_EQ(options.particle_mass, 1.0);
   EXPECT_EQ(options.damping, 1.0);
-  EXPECT_TRUE(options.normalize);
   EXPECT_EQ(options.normalize_every, 1);
 }
 
 // The original's inertia (b^2 + c^2, ...) is half that of the eight unit masses; its angular momenta give the table's
 // speeds.
 TEST(Original, angular_speeds_follow_from_its_angular_momenta) {
-  const Eigen::Vector3d I_original = principal_moments(BookOptions{}.size, 1.0) / 2.0;
+  const Eigen::Vector3d I_original = body_of(BookOptions{}).I_B / 2.0;
   EXPECT_NEAR(1.0 / I_original.x(), 0.11482, 5e-6);  // the table's rounding
   EXPECT_NEAR(0.5 / I_original.y(), 0.13238, 5e-6);
   EXPECT_NEAR(1.0 / I_original.z(), 0.08343, 5e-6);
@@ -67,15 +66,15 @@ TEST(Inertia, is_three_times_that_of_the_solid_cuboid) {
     const double b = o.size.y();
     const double c = o.size.z();
     const Eigen::Vector3d solid = M / 12.0 * Eigen::Vector3d(b * b + c * c, a * a + c * c, a * a + b * b);
-    const Eigen::Vector3d ratio = principal_moments(o.size, o.particle_mass).cwiseQuotient(solid);
+    const Eigen::Vector3d ratio = body_of(o).I_B.cwiseQuotient(solid);
     EXPECT_LE(relative(ratio, Eigen::Vector3d::Constant(3.0)), tolerance(1e-14));
 
     // And by the definition of the inertia tensor, sum m (r^2 1 - r r^T), products of inertia included.
     // Measured: 2.9e-16.
     Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
-    const Corners r = corners_at_rest(o.size);
+    const Corners r = body_of(o).corners_B;
     for (int i = 0; i < 8; ++i) tensor -= o.particle_mass * hat(r.col(i)) * hat(r.col(i));
-    const Eigen::Matrix3d expected = principal_moments(o.size, o.particle_mass).asDiagonal();
+    const Eigen::Matrix3d expected = body_of(o).I_B.asDiagonal();
     EXPECT_LE(relative(tensor, expected), tolerance(1e-14));
   }
 }
@@ -100,7 +99,7 @@ TEST(Start, is_one_rigid_rotation_for_every_method) {
     const SpringBook springs(o);
     const MatrixBook matrix(o);
     const QuaternionBook quaternion(o);
-    EXPECT_EQ(springs.corners_W(), corners_at_rest(o.size));
+    EXPECT_EQ(springs.corners_W(), body_of(o).corners_B);
     EXPECT_EQ(matrix.corners_W(), springs.corners_W());
     EXPECT_EQ(quaternion.corners_W(), springs.corners_W());
     for (int i = 0; i < 8; ++i) EXPECT_EQ(springs.velocities_W().col(i), o.omega_W.cross(springs.corners_W().col(i)));
@@ -111,7 +110,7 @@ TEST(Start, is_one_rigid_rotation_for_every_method) {
     EXPECT_EQ(quaternion.angular_momentum_W(), matrix.angular_momentum_W());
     EXPECT_NEAR(matrix.kinetic_energy() / springs.kinetic_energy(), 1.0, tolerance(1e-14));
     EXPECT_NEAR(quaternion.kinetic_energy() / springs.kinetic_energy(), 1.0, tolerance(1e-14));
-    const Eigen::Vector3d I_B = principal_moments(o.size, o.particle_mass);
+    const Eigen::Vector3d I_B = body_of(o).I_B;
     EXPECT_LE(relative(angular_velocity_W(matrix.R_WB(), I_B, L), o.omega_W), tolerance(1e-14));
   }
 }
@@ -121,7 +120,7 @@ TEST(Start, is_one_rigid_rotation_for_every_method) {
 // steps.
 TEST(Order, positions_move_with_the_old_velocities_and_forces_come_from_the_old_state) {
   BookOptions o = random_options(7);
-  o.normalize = false;
+  o.normalize_every = 0;
   SpringBook book(o);
   const double h = 0.02;
   const Corners x0 = book.corners_W();
@@ -145,7 +144,7 @@ TEST(NormalizeEvery, touches_every_nth_step_only) {
   BookOptions often = random_options(8);
   often.normalize_every = 3;
   BookOptions never = often;
-  never.normalize = false;
+  never.normalize_every = 0;
   SpringBook springs(often);
   SpringBook plain_springs(never);
   MatrixBook matrix(often);
@@ -175,7 +174,7 @@ TEST(Drift, is_removed_from_positions_and_velocities) {
   BookOptions o;
   o.omega_W = Eigen::Vector3d(0.03, 0.02, 0.05);
   BookOptions drifting = o;
-  drifting.normalize = false;
+  drifting.normalize_every = 0;
   SpringBook book(o);
   SpringBook drifter(drifting);
   for (int n = 0; n < 200000; ++n) {
@@ -192,9 +191,9 @@ TEST(Drift, is_removed_from_positions_and_velocities) {
 TEST(Quaternion, of_norm_s_blends_the_book_with_its_unrotated_self) {
   for (std::uint64_t start = 1; start <= 10; ++start) {
     BookOptions o = random_options(start);
-    o.normalize = false;
+    o.normalize_every = 0;
     QuaternionBook book(o);
-    const Corners rest = corners_at_rest(o.size);
+    const Corners rest = body_of(o).corners_B;
     for (int n = 0; n < 5000 && book.q_WB().norm() < 1.2; ++n) book.step(0.1);
     const double s = book.q_WB().norm();
     EXPECT_GE(s, 1.2);
@@ -214,7 +213,7 @@ TEST(Quaternion, of_norm_s_blends_the_book_with_its_unrotated_self) {
 // norm 1.
 TEST(Quaternion, grows_by_a_quarter_of_h_omega_squared) {
   BookOptions o = random_options(9);
-  o.normalize = false;
+  o.normalize_every = 0;
   QuaternionBook book(o);
   const double h = 0.3;
   book.step(h);
@@ -229,7 +228,7 @@ TEST(Quaternion, rate_is_omega_q_in_world_axes) {
   QuaternionBook book(o);
   for (int n = 0; n < 200; ++n) book.step(0.05);
   const Eigen::Quaterniond q = book.q_WB();
-  const Eigen::Vector3d I_B = principal_moments(o.size, o.particle_mass);
+  const Eigen::Vector3d I_B = body_of(o).I_B;
   const Eigen::Vector3d omega_W = angular_velocity_W(q.toRotationMatrix(), I_B, book.angular_momentum_W());
   const Corners before = book.corners_W();
   const double h = 1e-6;
@@ -260,14 +259,14 @@ TEST(Quaternion, printed_equation_holds_in_body_axes) {
 TEST(Original, one_substep_explodes_and_six_do_not) {
   BookOptions o;
   o.omega_W = Eigen::Vector3d(0.0, 0.0, 0.08343);
-  o.normalize = false;
+  o.normalize_every = 0;
   SpringBook coarse(o);
   SpringBook fine(o);
   for (int n = 0; n < 100; ++n) {
     coarse.step(0.1);
     for (int i = 0; i < 6; ++i) fine.step(0.1 / 6);
   }
-  const double rest = corners_at_rest(o.size).col(7).norm();
+  const double rest = body_of(o).corners_B.col(7).norm();
   EXPECT_FALSE(coarse.corners_W().cwiseAbs().maxCoeff() < 1e3 * rest);
   EXPECT_NEAR(fine.corners_W().colwise().norm().maxCoeff() / rest, 1.0, 0.01);
 }

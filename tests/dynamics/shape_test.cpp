@@ -20,7 +20,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 const Eigen::Vector3d size(1.878, 2.9085, 0.5);
-const Corners rest = corners_at_rest(size);
+const Corners rest = body_of({.size = size}).corners_B;
 
 double misfit(const Corners& x, const Eigen::Quaterniond& q) {
   const Corners about_mean = x.colwise() - x.rowwise().mean();

@@ -48,7 +48,7 @@ Errors errors(const Vector3d& I_B, const Quaterniond& q_WB0, const Vector3d& L_W
   Errors worst;
   for (int sample = 0; sample <= samples; ++sample) {
     const double t = T * sample / samples;
-    const TorqueFreeState state = exact.at(t);
+    const RigidState state = exact.at(t);
     reference.advance_to(t);
     Errors now;
     now.angle = geodesic_angle(state.q_WB, reference.q_WB());
@@ -108,7 +108,7 @@ TEST(TorqueFreeLimits, ExactlyOnTheSeparatrix) {
       for (const double T : {30.0, -30.0}) worst.widen(errors(I, Quaterniond::Identity(), {x, 0.5, z}, T));
       const TorqueFree exact(I, Quaterniond::Identity(), {x, 0.5, z});
       EXPECT_TRUE(std::isinf(exact.flip_period()));
-      const TorqueFreeState far = exact.at(1e6);
+      const RigidState far = exact.at(1e6);
       EXPECT_NEAR(std::abs(far.L_B.y()), 1.5, tolerance(1e-15));  // measured 0
     }
   }
@@ -240,8 +240,8 @@ TEST(TorqueFreeLimits, NeighboursAgreeAcrossEveryBranch) {
     const TorqueFree other_plain(pair.I_2, Quaterniond::Identity(), pair.L_2);
     double apart = 0;
     for (double t = -pair.T; t <= pair.T; t += 0.37) {
-      const TorqueFreeState a = one_plain.at(t);
-      const TorqueFreeState b = other_plain.at(t);
+      const RigidState a = one_plain.at(t);
+      const RigidState b = other_plain.at(t);
       apart = std::max({apart, a.q_WB.angularDistance(b.q_WB), (a.L_B - b.L_B).norm(),
                         one.at(t).q_WB.angularDistance(other.at(t).q_WB), (one.at(t).L_B - other.at(t).L_B).norm()});
     }

@@ -59,7 +59,7 @@ TEST(TorqueFreeRandom, TenThousandBodiesAgreeWithAnIntegrator) {
     odeint::integrate_adaptive(
         odeint::make_controlled<odeint::runge_kutta_fehlberg78<State, long double>>(1e-17L, 1e-17L), system, state,
         0.0L, static_cast<long double>(T), T / 50.0L);
-    const TorqueFreeState exact = TorqueFree(I, q0, L_W).at(T);
+    const RigidState exact = TorqueFree(I, q0, L_W).at(T);
     const Eigen::Quaternion<long double> reached(state[0], state[1], state[2], state[3]);
     const auto angle = static_cast<double>(exact.q_WB.cast<long double>().angularDistance(reached.normalized()));
     const Eigen::Matrix<long double, 3, 1> L_reached(state[4], state[5], state[6]);

@@ -67,7 +67,7 @@ TEST(TorqueFree, MatchesTheReferences) {
       std::istringstream words(line);
       std::string t, w, x, y, z;
       words >> t >> w >> x >> y >> z;
-      const TorqueFreeState state = exact.at(std::stod(t));
+      const RigidState state = exact.at(std::stod(t));
       angle = std::max(angle, geodesic_angle(state.q_WB, {Wide(w), Wide(x), Wide(y), Wide(z)}));
       E = std::max(E, std::abs(energy(one.I_B, state.L_B) / energy(one.I_B, one.L_W) - 1));
       L = std::max(L, std::abs(state.L_B.norm() / one.L_W.norm() - 1));
@@ -159,7 +159,7 @@ TEST(TorqueFree, ReturnsTheStartAndRunsBackwards) {
   const TorqueFree exact(book, q0, L_W);
   EXPECT_LE(exact.at(0).q_WB.angularDistance(q0.normalized()), tolerance(1e-15));             // measured 2.8e-16
   EXPECT_LE((exact.at(0).L_B - q0.normalized().conjugate() * L_W).norm(), tolerance(1e-15));  // measured 6e-17
-  const TorqueFreeState late = exact.at(123.5);
+  const RigidState late = exact.at(123.5);
   const TorqueFree back(book, late.q_WB, L_W);
   EXPECT_LE(back.at(-123.5).q_WB.angularDistance(q0.normalized()),
             tolerance(4e-15));  // measured 5.4e-16
@@ -170,7 +170,7 @@ TEST(TorqueFree, StaysFiniteWhereTimeNoLongerResolvesATurn) {
     for (const Vector3d& L :
          {Vector3d(1, 0.5, 1), Vector3d(1, 1e-12, 1e-12), Vector3d(1e-3, 1, 2), Vector3d(0, 0, 1)}) {
       for (const double t : {1e14, 1e17, -1e25, 1e150}) {
-        const TorqueFreeState state = TorqueFree(I, Quaterniond::Identity(), L).at(t);
+        const RigidState state = TorqueFree(I, Quaterniond::Identity(), L).at(t);
         EXPECT_NEAR(state.q_WB.norm(), 1, tolerance(1e-15));
         EXPECT_NEAR(state.L_B.norm() / L.norm(), 1, tolerance(2e-15))
             << I.transpose() << " " << L.transpose() << " " << t;

@@ -157,7 +157,7 @@ TEST(RigidCases, TheOptionsAreTheSameBody) {
   for (const RigidCase& c : cases) {
     EXPECT_EQ(c.q_WB.size(), 60U);
     const BookOptions options = c.options();
-    const Eigen::Vector3d I_B = principal_moments(options.size, options.particle_mass);
+    const Eigen::Vector3d I_B = body_of(options).I_B;
     EXPECT_LT((I_B - c.I_B).norm(), tolerance(1e-14) * c.I_B.norm());  // measured 3e-16
     EXPECT_LT((I_B.cwiseProduct(options.omega_W) - c.L_W).norm(), tolerance(1e-14) * c.L_W.norm());
   }

@@ -99,7 +99,7 @@ TEST(Jiggle, is_one_vector_for_all_methods_relative_to_the_spin) {
   const Trajectory trajectory = simulate(scene);
   const Eigen::Vector3d omega = Eigen::Vector3d(0.3, 0.4, 1.2) + 0.25 * 1.3 * jiggle_direction(7);
   const BookOptions& o = scene.books[0].options;
-  const Eigen::Vector3d L = principal_moments(o.size, o.particle_mass).cwiseProduct(omega);
+  const Eigen::Vector3d L = body_of(o).I_B.cwiseProduct(omega);
   for (const BookTrack& track : trajectory.books) {
     EXPECT_LE((track.frames[0].L_W - L).norm() / L.norm(), tolerance(1e-14));  // measured: 5.5e-17
     EXPECT_EQ(track.frames[0].corners_W, trajectory.books[0].frames[0].corners_W);

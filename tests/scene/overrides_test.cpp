@@ -40,9 +40,9 @@ TEST(Overrides, reach_every_key_of_the_scene_the_clip_and_the_view) {
 TEST(Overrides, reach_every_key_of_a_book) {
   const Scene scene = with({"book.1.name=left one", "book.1.method=quaternion", "book.1.integrator=explicit_euler",
                             "book.1.size=[2, 3, 0.25]", "book.1.angular_velocity=[0.5, -0.25, 1]", "book.1.jiggle=1e-3",
-                            "book.1.normalize=false", "book.1.normalize_every=7", "book.1.damping=0.5",
-                            "book.1.stiffness=20", "book.1.particle_mass=0.125", "book.1.position=[-1, 0, 2]",
-                            "book.1.style=ghost", "book.1.show=['axes', 'trace']", "view.head_up=['tilt', 'flips']"});
+                            "book.1.normalize_every=7", "book.1.damping=0.5", "book.1.stiffness=20",
+                            "book.1.particle_mass=0.125", "book.1.position=[-1, 0, 2]", "book.1.style=ghost",
+                            "book.1.show=['axes', 'trace']", "view.head_up=['tilt', 'flips']"});
   const BookSetup& book = scene.books[1];
   EXPECT_EQ(book.name, "left one");
   EXPECT_EQ(book.method, Method::quaternion);
@@ -50,7 +50,6 @@ TEST(Overrides, reach_every_key_of_a_book) {
   EXPECT_EQ(book.options.size, Eigen::Vector3d(2, 3, 0.25));
   EXPECT_EQ(book.options.omega_W, Eigen::Vector3d(0.5, -0.25, 1));
   EXPECT_EQ(book.jiggle, 1e-3);
-  EXPECT_FALSE(book.options.normalize);
   EXPECT_EQ(book.options.normalize_every, 7);
   EXPECT_EQ(book.options.damping, 0.5);
   EXPECT_EQ(book.options.stiffness, 20.0);
@@ -67,7 +66,17 @@ TEST(Overrides, reach_every_key_of_a_book) {
   const BookSetup defaults;
   EXPECT_EQ(untouched.method, defaults.method);
   EXPECT_EQ(untouched.options.size, defaults.options.size);
-  EXPECT_EQ(untouched.options.normalize, defaults.options.normalize);
+  EXPECT_EQ(untouched.options.normalize_every, defaults.options.normalize_every);
+}
+
+TEST(Normalization, IsEveryStepUnlessTheScriptSaysOtherwise) {
+  const auto every = [](const std::vector<std::string>& keys) { return with(keys).books[1].options.normalize_every; };
+  EXPECT_EQ(every({}), 1);
+  EXPECT_EQ(every({"book.1.normalize_every=7"}), 7);
+  EXPECT_EQ(every({"book.1.normalize=true", "book.1.normalize_every=7"}), 7);
+  EXPECT_EQ(every({"book.1.normalize=false"}), 0);
+  EXPECT_EQ(every({"book.1.normalize=false", "book.1.normalize_every=7"}), 0);
+  EXPECT_EQ(every({"book.1.normalize_every=7", "book.1.normalize=false"}), 0);
 }
 
 TEST(Overrides, reach_every_key_of_an_expectation) {

@@ -1,0 +1,37 @@
+#include "scene/any_book.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "scene/scene_file.h"
+
+namespace bookspin {
+
+bool takes(Method method, bool damped, const IntegratorInfo& integrator) {
+  switch (method) {
+    case Method::springs:
+      return integrator.spring_step != nullptr && (integrator.damped || !damped);
+    case Method::matrix:
+      return integrator.matrix;
+    case Method::quaternion:
+      return integrator.quaternion;
+    case Method::exact:
+      break;
+  }
+  return false;
+}
+
+AnyBook make_book(Method method, const BookOptions& options) {
+  if (method == Method::exact) return ExactBook(options);
+  const IntegratorInfo& integrator = info_of(options.integrator);
+  if (!takes(method, options.damping > 0.0, integrator)) {
+    throw std::invalid_argument(fmt::format("{} does not take {}", name_of(method), integrator.name));
+  }
+  if (method == Method::springs) return SpringBook(options);
+  if (method == Method::matrix) return MatrixBook(options);
+  if (integrator.rigid_step == nullptr) return QuaternionBook(options);
+  return FreeBook(options);
+}
+
+}  // namespace bookspin
