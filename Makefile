@@ -1,5 +1,6 @@
 # The front door. Each target works alone on a fresh Debian: it installs what is missing, builds, and runs.
 
+.NOTPARALLEL:  # two builds in one folder break it; each build uses every core by itself
 .PHONY: figures test page report bench golden clean
 
 # Every film, then the course page around them, in videos/site/.
@@ -8,7 +9,8 @@ figures: program
 	build/bookspin page videos/site
 
 test: everything
-	@ctest --preset release; status=$$?; cat build/browser/skipped 2>/dev/null; exit $$status
+	@tests/page/browser_tools.sh build/browser
+	@ctest --test-dir build --output-on-failure; status=$$?; cat build/browser/skipped 2>/dev/null; exit $$status
 
 # The course page alone, from the films that are there.
 page: program
@@ -26,7 +28,7 @@ bench: everything
 
 # Accept the frames that the tests draw as the new goldens. Then look at them, and commit them alone, with the reason.
 golden: everything
-	BOOKSPIN_ACCEPT_GOLDENS=1 ctest --preset release -R '^(image|render|film)$$'
+	BOOKSPIN_ACCEPT_GOLDENS=1 ctest --test-dir build --output-on-failure -R '^(image|render|film)$$'
 	git status --short tests/golden
 
 clean:
@@ -37,7 +39,7 @@ everything: configured
 	cmake --build build
 program: configured
 	cmake --build build --target bookspin
-configured: packages
-	@cmake --preset release --log-level=WARNING >/dev/null
+configured: packages  # not by the preset: a cmake that is too old would not find it, instead of saying that it is too old
+	@cmake -S . -B build -G Ninja --log-level=WARNING >/dev/null
 packages:
 	@./install-packages

@@ -2,7 +2,6 @@
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <GL/osmesa.h>
 #include <dlfcn.h>
 #include <fmt/format.h>
 
@@ -35,23 +34,35 @@ void load_symbol(void* library, const char* name, Function& function) {
   if (function == nullptr) throw std::runtime_error(fmt::format("dlsym: {}", dlerror()));
 }
 
+// OSMesa's interface, as far as it is used. Its header is not: Mesa has dropped it, and its last ones need the GL/gl.h
+// that glad stands in for.
+namespace osmesa {
+constexpr int format = 0x22, rgba = 0x1908, profile = 0x33, core_profile = 0x34, major_version = 0x36,
+              minor_version = 0x37;
+using Context = struct osmesa_context*;
+using CreateContextAttribs = Context (*)(const int* attributes, Context shared);
+using MakeCurrent = GLboolean (*)(Context context, void* buffer, GLenum type, GLsizei width, GLsizei height);
+using DestroyContext = void (*)(Context context);
+using GetProcAddress = GLADapiproc (*)(const char* name);
+}  // namespace osmesa
+
 // Draws into a buffer of the caller's; our frames go to frame buffer objects, so a stub serves.
 class OsmesaContext {
  public:
   OsmesaContext() {
     void* const library = open_first({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"});
-    decltype(&OSMesaCreateContextAttribs) create = nullptr;
+    osmesa::CreateContextAttribs create = nullptr;
     load_symbol(library, "OSMesaCreateContextAttribs", create);
     load_symbol(library, "OSMesaMakeCurrent", make_current_);
     load_symbol(library, "OSMesaDestroyContext", destroy_);
     load_symbol(library, "OSMesaGetProcAddress", load);
-    constexpr std::array attributes{OSMESA_FORMAT,
-                                    int{OSMESA_RGBA},
-                                    OSMESA_PROFILE,
-                                    OSMESA_CORE_PROFILE,
-                                    OSMESA_CONTEXT_MAJOR_VERSION,
+    constexpr std::array attributes{osmesa::format,
+                                    osmesa::rgba,
+                                    osmesa::profile,
+                                    osmesa::core_profile,
+                                    osmesa::major_version,
                                     3,
-                                    OSMESA_CONTEXT_MINOR_VERSION,
+                                    osmesa::minor_version,
                                     3,
                                     0};
     context_ = create(attributes.data(), nullptr);
@@ -68,15 +79,15 @@ class OsmesaContext {
     }
   }
 
-  decltype(&OSMesaGetProcAddress) load = nullptr;
+  osmesa::GetProcAddress load = nullptr;
   static constexpr const char* name = "OSMesa";
 
  private:
   static constexpr std::size_t surface_side = 16;
   std::array<unsigned char, 4 * surface_side * surface_side> surface_{};
-  decltype(&OSMesaMakeCurrent) make_current_ = nullptr;
-  decltype(&OSMesaDestroyContext) destroy_ = nullptr;
-  OSMesaContext context_ = nullptr;
+  osmesa::MakeCurrent make_current_ = nullptr;
+  osmesa::DestroyContext destroy_ = nullptr;
+  osmesa::Context context_ = nullptr;
 };
 
 class EglContext {
@@ -181,8 +192,8 @@ Context::Context(ContextKind kind) : library_(std::make_unique<Library>()) {
   };
   if (kind != ContextKind::egl && create(std::in_place_type<OsmesaContext>)) return;
   if (kind != ContextKind::osmesa && create(std::in_place_type<EglContext>)) return;
-  throw std::runtime_error("no off-screen OpenGL context (Debian packages: libosmesa6, or libegl1 with libegl-mesa0):" +
-                           reasons);
+  throw std::runtime_error(
+      "no off-screen OpenGL context (packages of Debian: libosmesa6, or libegl1 with libgl1-mesa-dri):" + reasons);
 }
 
 Context::~Context() {

@@ -50,7 +50,8 @@ std::string shown(const toml::node& node) {
     for (const toml::node& one : *list) each.push_back(shown(one));
     text = fmt::format("[{}]", fmt::join(each, ", "));
   } else if (const auto* number = node.as_floating_point()) {
-    text = fmt::format("{:#}", number->get());  // the shortest text that means this number
+    text = fmt::format("{}", number->get());  // the shortest text that means this number, and is no whole number's
+    if (text.find_first_of(".en") == std::string::npos) text += ".0";
   } else {
     std::ostringstream out;
     out.imbue(std::locale::classic());

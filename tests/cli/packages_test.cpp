@@ -17,13 +17,13 @@ using testing::Not;
 struct Packages : testing::Test {
   Packages() {
     fs::create_directory(scratch / "bin");
-    for (const char* tool : {"sh", "grep", "sed", "cat", "dirname", "mktemp", "rm", "tail", "env", "touch"}) {
+    for (const char* tool : {"sh", "grep", "sed", "cat", "dirname", "mktemp", "rm", "tail", "env", "touch", "true"}) {
       fs::create_symlink(
           fs::exists(std::string("/usr/bin/") + tool) ? std::string("/usr/bin/") + tool : std::string("/bin/") + tool,
           scratch / ("bin/" + std::string(tool)));
     }
     fs::copy_file(std::string(BOOKSPIN_SOURCE_DIR) + "/install-packages", scratch / "install-packages");
-    write_text(scratch / "apt-packages.txt", "here\nmissing-one\nmissing-two\n");
+    write_text(scratch / "apt-packages.txt", "here\nmissing-one\ngone | missing-two | also-there\nhere | other\n");
   }
 
   void stand_in(const std::string& name, const std::string& script) {
@@ -32,7 +32,21 @@ struct Packages : testing::Test {
   }
   void debian() {
     stand_in("dpkg-query", "[ \"$4\" = here ] && echo installed");
-    stand_in("apt-get", "echo apt-get \"$@\" >>asked; exit ${APT_FAILS:-0}");
+    stand_in("apt-cache", "case $2 in gone*) ;; *) echo \"  Candidate: 1.0\" ;; esac");
+    stand_in("apt-get", R"(case "$*" in
+*--assume-no*)
+  echo "0 upgraded, 340 newly installed, 0 to remove and 3 not upgraded."
+  echo "Need to get 96.5 MB of archives."
+  echo "After this operation, 417 MB of additional disk space will be used."
+  exit 1 ;;
+esac
+echo apt-get "$@" >>asked
+[ "$1" = install ] || exit 0
+echo "dlstatus:1:4.5:Retrieving"
+echo "dlstatus:2:7.5:Retrieving"
+echo "pmstatus:missing-one:100.0:Installed"
+echo "E: words of apt-get"
+exit ${APT_FAILS:-0})");
   }
   void user(int id) { stand_in("id", "echo " + std::to_string(id)); }
   Said install(const std::string& environment = "") {
@@ -45,9 +59,14 @@ struct Packages : testing::Test {
 TEST_F(Packages, RootInstallsWhatIsMissingAndNothingElse) {
   debian();
   user(0);
-  EXPECT_EQ(install().exit_code, 0);
+  const Said said = install();
+  EXPECT_EQ(said.exit_code, 0);
   EXPECT_EQ(read_text(scratch / "asked"),
-            "apt-get update\napt-get install -y --no-install-recommends missing-one missing-two\n");
+            "apt-get update\napt-get install -y --no-install-recommends -o APT::Status-Fd=1 missing-one missing-two\n");
+  EXPECT_EQ(said.out,
+            "Installing missing-one missing-two and what they need: 340 packages, 96.5 MB to download, 417 MB on disk\n"
+            "  downloaded 0 %\n  installed 100 %\n");
+  EXPECT_THAT(said.err, IsEmpty());
 }
 
 TEST_F(Packages, NothingMissingNothingAsked) {
@@ -73,8 +92,25 @@ TEST_F(Packages, AUserWithoutSudoIsToldExactlyWhatIsMissing) {
   user(1000);
   const Said said = install();
   EXPECT_NE(said.exit_code, 0);
-  EXPECT_THAT(said.err, HasSubstr("apt-get install missing-one missing-two\n"));
+  EXPECT_THAT(said.err, HasSubstr("apt-get install --no-install-recommends missing-one missing-two\n"));
   EXPECT_FALSE(fs::exists(scratch / "asked"));
+}
+
+TEST_F(Packages, WithoutTheArchivesListsTheFirstNamesAreOffered) {
+  debian();
+  stand_in("apt-cache", "true");
+  user(1000);
+  EXPECT_THAT(install().err, HasSubstr("apt-get install --no-install-recommends missing-one gone\n"));
+}
+
+TEST_F(Packages, WhatTheArchiveDoesNotHaveIsNamedAndTheRestInstalled) {
+  write_text(scratch / "apt-packages.txt", "missing-one\ngone\ngone-too | gone-three\n");
+  debian();
+  user(0);
+  const Said said = install();
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.err, HasSubstr("do not have gone, gone-too | gone-three (has Ubuntu's universe been enabled?)\n"));
+  EXPECT_THAT(read_text(scratch / "asked"), HasSubstr("APT::Status-Fd=1 missing-one\n"));
 }
 
 TEST_F(Packages, AFailedInstallationIsToldToo) {
@@ -82,7 +118,8 @@ TEST_F(Packages, AFailedInstallationIsToldToo) {
   user(0);
   const Said said = install("APT_FAILS=1");
   EXPECT_NE(said.exit_code, 0);
-  EXPECT_THAT(said.err, HasSubstr("apt-get install missing-one missing-two\n"));
+  EXPECT_THAT(said.err, HasSubstr("E: words of apt-get\n"));
+  EXPECT_THAT(said.err, HasSubstr("apt-get install --no-install-recommends missing-one missing-two\n"));
 }
 
 TEST_F(Packages, OtherSystemsAreToldEverything) {
@@ -90,7 +127,7 @@ TEST_F(Packages, OtherSystemsAreToldEverything) {
   const Said said = install();
   EXPECT_NE(said.exit_code, 0);
   EXPECT_THAT(said.err, HasSubstr("not Debian or Ubuntu"));
-  EXPECT_THAT(said.err, HasSubstr("  here\n  missing-one\n  missing-two\n"));
+  EXPECT_THAT(said.err, HasSubstr("  here\n  missing-one\n  gone | missing-two | also-there\n"));
 }
 
 }  // namespace
