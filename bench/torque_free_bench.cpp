@@ -1,6 +1,6 @@
 // Cost of the exact torque-free motion: an evaluation, the setup, and the same answer from Boost.Math's Jacobi
 // functions and integral of the third kind, written straightforwardly (amplitudes and modulus from 2 E I - L^2). The
-// number after the slash is the case of tests/data/reference; the counter `error` is the textbook's largest geodesic
+// number after the slash is the case of data/reference; the counter `error` is the textbook's largest geodesic
 // angle from TorqueFree.
 #include <benchmark/benchmark.h>
 
@@ -26,7 +26,7 @@ struct Start {
   double T;
 };
 
-// The cases of tests/data/reference, in order.
+// The cases of data/reference, in order.
 Start start_of(std::int64_t index) {
   const Vector3d book(0x1.16b32d6ece140p+3, 0x1.e370ef5664909p+1, 0x1.7f8f694467382p+3);
   switch (index) {

@@ -108,6 +108,7 @@ Json film_context(const fs::path& site, const FilmRecord& film, const std::strin
   context["chart"] = chart_of(film, panels);
   context["length"] = fmt::format("{:.{}f} s", film.seconds(), film.seconds() < 10.0 ? 1 : 0);
   const std::vector<Event> events = events_of(film);
+  context["eventful"] = !events.empty();
   context["events"] = Json::array();
   for (const Event& event : events) {
     context["events"].push_back({{"seconds", fmt::format("{:.3f}", event.seconds)},

@@ -71,7 +71,7 @@ void write_precision(Draft& draft) {
     }
     return ns;
   };
-  const std::filesystem::path reference = draft.order.project / "tests" / "data" / "reference";
+  const std::filesystem::path reference = draft.order.project / "data" / "reference";
   const std::vector<double> errors{1e-2, 1e-4, 1e-6, 1e-9};
   double done = 0.0;
   for (const RigidCase& c : read_rigid_cases(reference)) {

@@ -1,6 +1,6 @@
 // Speed against error: every method at ever finer steps, its largest error over 60 samples and the time it takes.
 //
-// Rigid methods: the geodesic angle (radians) to the reference trajectories of tests/data/reference, cases a to d.
+// Rigid methods: the geodesic angle (radians) to the reference trajectories of data/reference, cases a to d.
 // Methods of the program run as a script runs them, normalized after every step; Boost.Odeint's solve q' = q omega / 2,
 // L' = L x omega. Springs: the farthest that a corner is from where it should be, in half diagonals of the book, for
 // the undamped springs of ref_springs.txt against that file, for others against the exact motion of the rigid body.

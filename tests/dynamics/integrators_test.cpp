@@ -1,6 +1,6 @@
 // The integrators beyond the paper's: order, conserved quantities, agreement.
 //
-// Rigid: against the exact motion; springs: against tests/data/reference/ref_springs.txt (undamped, 60 samples to T =
+// Rigid: against the exact motion; springs: against data/reference/ref_springs.txt (undamped, 60 samples to T =
 // 200, 24 positions then 24 velocities, good to 2e-12). A measured value holds for both compilers unless it says
 // otherwise.
 #include <gtest/gtest.h>
@@ -210,7 +210,7 @@ TEST(FreeBookState, remembers_a_kick_below_rounding) {
 
 const std::vector<std::vector<double>>& spring_samples() {
   static const auto samples = [] {
-    std::ifstream in(BOOKSPIN_SOURCE_DIR "/tests/data/reference/ref_springs.txt");
+    std::ifstream in(BOOKSPIN_SOURCE_DIR "/data/reference/ref_springs.txt");
     std::vector<std::vector<double>> rows;
     double value = 0.0;
     for (std::size_t n = 0; in >> value; ++n) {

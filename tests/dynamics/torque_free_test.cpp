@@ -36,7 +36,7 @@ std::vector<double> hexadecimal(std::istringstream& words, int count) {
 }
 
 std::vector<Case> cases() {
-  std::ifstream file(BOOKSPIN_SOURCE_DIR "/tests/data/reference/cases.txt");
+  std::ifstream file(BOOKSPIN_SOURCE_DIR "/data/reference/cases.txt");
   std::vector<Case> result;
   for (std::string line; std::getline(file, line);) {
     std::istringstream words(line);
@@ -57,7 +57,7 @@ TEST(TorqueFree, MatchesTheReferences) {
   int samples = 0;
   for (const Case& one : cases()) {
     const TorqueFree exact(one.I_B, Quaterniond::Identity(), one.L_W);
-    std::ifstream file(BOOKSPIN_SOURCE_DIR "/tests/data/reference/ref_" + one.letter + ".txt");
+    std::ifstream file(BOOKSPIN_SOURCE_DIR "/data/reference/ref_" + one.letter + ".txt");
     double angle = 0;
     double E = 0;
     double L = 0;

@@ -152,7 +152,7 @@ TEST(Cheapest, IsTheFastestThatIsNearEnough) {
 }
 
 TEST(RigidCases, TheOptionsAreTheSameBody) {
-  const auto cases = read_rigid_cases(std::filesystem::path(BOOKSPIN_SOURCE_DIR) / "tests/data/reference");
+  const auto cases = read_rigid_cases(std::filesystem::path(BOOKSPIN_SOURCE_DIR) / "data/reference");
   ASSERT_EQ(cases.size(), 4U);
   for (const RigidCase& c : cases) {
     EXPECT_EQ(c.q_WB.size(), 60U);
