@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <charconv>
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
+#include <ostream>
 
 #include "files/files.h"
 #include "scene/quantities.h"
@@ -22,84 +20,86 @@ using Json = nlohmann::ordered_json;
 Json as_json(const MadeWith& made_with) {
   return {{"width", made_with.width},
           {"height", made_with.height},
-          {"frames", fmt::format("{}:{}", made_with.first_frame,
-                                 made_with.end_frame < 0 ? "" : std::to_string(made_with.end_frame))},
+          {"first_frame", made_with.first_frame},
+          {"end_frame", made_with.end_frame},
           {"set", made_with.overrides}};
 }
 
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
+Json clip_json(const FilmData& data) {
+  const Clip& clip = data.scene.clip;
+  const int end = data.made_with.end_frame < 0 ? clip.frames : data.made_with.end_frame;
+  return {{"frames", clip.frames},
+          {"fps", clip.fps},
+          {"time_per_frame", clip.time_per_frame},
+          {"substeps", clip.substeps},
+          {"first_frame", data.made_with.first_frame},
+          {"drawn_frames", end - data.made_with.first_frame}};
 }
 
 // Seven digits draw any chart; the trajectory command gives all of them.
-void append_short(std::string& out, double value) {
-  out += std::isfinite(value) ? fmt::format("{:.7g}", value) : "null";
+Json short_number(double value) {
+  return std::isfinite(value) ? Json::parse(fmt::format("{:.7g}", value)) : Json(nullptr);
 }
 
-std::string book_json(const BookSetup& setup, const BookTrack& track) {
-  Json head{{"name", setup.name}, {"method", name_of(setup.method)}};
-  head["exploded_frame"] = track.exploded_frame ? Json(*track.exploded_frame) : Json(nullptr);
-  std::string out = head.dump();
-  out.back() = ',';
-  out += "\n   \"data\": {";
+Json book_json(const BookSetup& setup, const BookTrack& track) {
+  Json lists = Json::object();
   for (const Quantity& quantity : quantities()) {
-    out += fmt::format("{}\n    \"{}\": [", out.back() == '{' ? "" : ",", quantity.name);
-    for (const BookFrame& frame : track.frames) {
-      if (out.back() != '[') out += ',';
-      append_short(out, quantity.of(frame));
-    }
-    out += ']';
+    Json& list = lists[std::string(quantity.name)] = Json::array();
+    for (const BookFrame& frame : track.frames) list.push_back(short_number(quantity.of(frame)));
   }
-  return out + "}}";
+  return {{"name", setup.name},
+          {"method", name_of(setup.method)},
+          {"exploded_frame", track.exploded_frame ? Json(*track.exploded_frame) : Json(nullptr)},
+          {"data", lists}};
 }
 
-Json head_json(const FilmData& data) {
-  const Clip& clip = data.scene.clip;
-  const int end = data.made_with.end_frame < 0 ? clip.frames : data.made_with.end_frame;
-  Json head;
-  head["format"] = "bookspin film 1";
-  head["title"] = data.scene.title;
-  head["caption"] = data.scene.caption;
-  if (!data.film_name.empty()) head["film"] = data.film_name;
-  head["poster"] = data.poster_name;
-  head["made_with"] = as_json(data.made_with);
-  head["clip"] = {{"frames", clip.frames},
-                  {"fps", clip.fps},
-                  {"time_per_frame", clip.time_per_frame},
-                  {"substeps", clip.substeps},
-                  {"first_frame", data.made_with.first_frame},
-                  {"drawn_frames", end - data.made_with.first_frame}};
-  bool all_met = true;
-  Json expectations = Json::array();
-  for (const Verdict& verdict : data.verdicts) {
-    all_met = all_met && verdict.met;
-    expectations.push_back({{"says", verdict.says},
-                            {"text", verdict.text},
-                            {"met", verdict.met},
-                            {"found", number(verdict.found)},
-                            {"frame", verdict.frame}});
+Json as_json(const FilmData& data) {
+  Json json{{"format", film_format}, {"title", data.scene.title}, {"caption", data.scene.caption}};
+  if (!data.film_name.empty()) json["film"] = data.film_name;
+  json["poster"] = data.poster_name;
+  json["made_with"] = as_json(data.made_with);
+  json["clip"] = clip_json(data);
+  json["met"] = std::all_of(data.verdicts.begin(), data.verdicts.end(), [](const Verdict& v) { return v.met; });
+  json["expectations"] = Json::array();
+  for (const Verdict& v : data.verdicts) {
+    json["expectations"].push_back(
+        {{"says", v.says}, {"text", v.text}, {"met", v.met}, {"found", v.found}, {"frame", v.frame}});
   }
-  head["met"] = all_met;
-  head["expectations"] = expectations;
-  head["quantities"] = Json::array();
+  json["quantities"] = Json::array();
   for (const Quantity& quantity : quantities()) {
-    head["quantities"].push_back({{"name", quantity.name}, {"unit", quantity.unit}, {"meaning", quantity.meaning}});
+    json["quantities"].push_back({{"name", quantity.name}, {"unit", quantity.unit}, {"meaning", quantity.meaning}});
   }
-  head["script"] = data.script;
-  return head;
+  json["script"] = data.script;
+  json["books"] = Json::array();
+  for (std::size_t b = 0; b < data.scene.books.size(); ++b) {
+    json["books"].push_back(book_json(data.scene.books[b], data.trajectory.books[b]));
+  }
+  return json;
+}
+
+// A line for each key, but only one for a list of numbers or texts.
+void write(std::ostream& out, const Json& json, const std::string& line_end) {
+  if (!json.is_structured() || json.empty() || (json.is_array() && !json.front().is_structured())) {
+    out << json.dump();
+    return;
+  }
+  char separator = json.is_object() ? '{' : '[';
+  for (const auto& [key, value] : json.items()) {
+    out << separator << line_end << ' ';
+    if (json.is_object()) out << Json(key).dump() << ": ";
+    write(out, value, line_end + ' ');
+    separator = ',';
+  }
+  out << line_end << (json.is_object() ? '}' : ']');
 }
 
 }  // namespace
 
 void write_film_data(const std::filesystem::path& file, const FilmData& data) {
-  write_file(file, [&data](std::ostream& out) {
-    std::string head = head_json(data).dump(1);
-    head.resize(head.size() - 2);  // "\n}": the books follow
-    out << head << ",\n \"books\": [";
-    for (std::size_t b = 0; b < data.scene.books.size(); ++b) {
-      out << (b == 0 ? "\n  " : ",\n  ") << book_json(data.scene.books[b], data.trajectory.books[b]);
-    }
-    out << "\n ]\n}\n";
+  const Json json = as_json(data);
+  write_file(file, [&json](std::ostream& out) {
+    write(out, json, "\n");
+    out << '\n';
   });
 }
 

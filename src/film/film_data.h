@@ -2,14 +2,14 @@
 //
 //   format                        "bookspin film 1"
 //   title, caption, script        as in the scene script (script: its whole text)
-//   made_with                     width, height (pixels), frames and overrides of this rendering
-//   clip                          frames, fps, time_per_frame, substeps; first_frame and drawn_frames of the film itself
 //   film, poster                  file names beside this one (film: absent for a still)
+//   made_with                     width and height in pixels, first_frame, end_frame; set: the overrides, as given
+//   clip                          frames, fps, time_per_frame, substeps; first_frame and drawn_frames: what is filmed
 //   met                           true when every expectation is met
 //   expectations                  says, text, met, found, frame: one for each bound
 //   quantities                    name, unit, meaning
-//   books                         name, method, exploded_frame (null: never), and data: one list a quantity, one number a
-//                                 frame, 7 significant digits, null where there is no number
+//   books                         name, method, exploded_frame (null: never), and data: one list a quantity, one number
+//                                 a frame, 7 significant digits, null where there is no number
 #pragma once
 
 #include <filesystem>
@@ -21,6 +21,8 @@
 #include "scene/trajectory.h"
 
 namespace bookspin {
+
+inline constexpr const char* film_format = "bookspin film 1";
 
 struct MadeWith {
   int width = 1280;                    // pixels

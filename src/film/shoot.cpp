@@ -11,7 +11,6 @@
 #include "film/storyboard.h"
 #include "image/png.h"
 #include "scene/scene_file.h"
-#include "scene/simulate.h"
 #include "video/mp4_writer.h"
 
 namespace bookspin {

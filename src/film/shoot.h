@@ -17,6 +17,7 @@
 #include "image/image.h"
 #include "render/renderer.h"
 #include "scene/judge.h"
+#include "scene/simulate.h"
 
 namespace bookspin {
 
@@ -39,10 +40,6 @@ struct Progress {
   std::atomic<long> frames_done = 0;
   std::atomic<int> films_done = 0;
   std::atomic<bool> stop = false;  // set: every film stops at its next frame, throwing Stopped
-};
-
-struct Stopped : std::runtime_error {
-  Stopped() : std::runtime_error("stopped") {}
 };
 
 // The scene of an order, its frames checked against the scene: std::invalid_argument when the film would be empty.

@@ -158,7 +158,11 @@ class Recorder {
   BookTrack track_;
 };
 
-BookTrack simulate_book(const BookSetup& setup, const Clip& clip, const Eigen::Vector3d& jiggle) {
+// A step takes about a microsecond: a million of them a frame must not keep anyone waiting who wants to stop.
+constexpr int steps_between_looks = 1024;
+
+BookTrack simulate_book(const BookSetup& setup, const Clip& clip, const Eigen::Vector3d& jiggle,
+                        const std::stop_token& stop, std::atomic<long>& frames_done) {
   BookOptions options = setup.options;
   options.omega_W += setup.jiggle * options.omega_W.norm() * jiggle;
   const double h = clip.time_per_frame / clip.substeps;
@@ -167,14 +171,20 @@ BookTrack simulate_book(const BookSetup& setup, const Clip& clip, const Eigen::V
   std::visit(
       [&](auto& book) {
         recorder.record(book, 0.0);
+        ++frames_done;
         for (int frame = 1; frame < clip.frames; ++frame) {
+          if (stop.stop_requested()) throw Stopped();
           const double t = frame * clip.time_per_frame;
           if constexpr (std::is_same_v<std::decay_t<decltype(book)>, ExactBook>) {
             book.move_to(t);
           } else {
-            for (int i = 0; i < clip.substeps; ++i) book.step(h);
+            for (int i = 0; i < clip.substeps; ++i) {
+              if (i % steps_between_looks == steps_between_looks - 1 && stop.stop_requested()) throw Stopped();
+              book.step(h);
+            }
           }
           recorder.record(book, t);
+          ++frames_done;
         }
       },
       any_book);
@@ -194,11 +204,13 @@ Eigen::Vector3d jiggle_direction(std::uint64_t seed) {
   }
 }
 
-Trajectory simulate(const Scene& scene) {
+Trajectory simulate(const Scene& scene, const std::stop_token& stop, std::atomic<long>* frames_done) {
+  std::atomic<long> nobody_counts = 0;
+  std::atomic<long>& counter = frames_done == nullptr ? nobody_counts : *frames_done;
   const Eigen::Vector3d jiggle = jiggle_direction(scene.seed);
   Trajectory trajectory;
   for (const BookSetup& setup : scene.books) {
-    trajectory.books.push_back(simulate_book(setup, scene.clip, jiggle));
+    trajectory.books.push_back(simulate_book(setup, scene.clip, jiggle, stop, counter));
   }
   return trajectory;
 }

@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <stop_token>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "dynamics/rigid_book.h"
@@ -53,6 +56,29 @@ TEST(Simulate, takes_its_steps) {
       quaternion_book.step(0.5 / 30);
     }
   }
+}
+
+// A frame of a million steps takes seconds: whoever stops it does not wait for its end.
+TEST(Simulate, StopsWithinAFrame) {
+  const Scene scene = parse_scene(
+      "title = 'T'\nclip = { frames = 2, substeps = 1000000 }\n"
+      "[[book]]\nmethod = 'springs'\nangular_velocity = [0.1, 0, 0]\n",
+      "s.toml");
+  std::stop_source source;
+  std::atomic<long> frames_done = 0;
+  const std::jthread stopper([&] {
+    while (frames_done == 0) std::this_thread::yield();
+    source.request_stop();
+  });
+  EXPECT_THROW((void)simulate(scene, source.get_token(), &frames_done), Stopped);
+  EXPECT_EQ(frames_done, 1);
+}
+
+TEST(Simulate, CountsTheFramesOfEveryBook) {
+  std::atomic<long> frames_done = 0;
+  (void)simulate(parse_scene("title = 'T'\nclip.frames = 7\nbook = [{}, { method = 'exact' }]\n", "s.toml"), {},
+                 &frames_done);
+  EXPECT_EQ(frames_done, 14);
 }
 
 TEST(Simulate, same_scene_twice_gives_the_same_bits) {
