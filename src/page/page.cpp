@@ -12,7 +12,7 @@
 #include "files/files.h"
 #include "page/chart.h"
 #include "page/events.h"
-#include "page/fill.h"
+#include "fill/fill.h"
 #include "page/film_record.h"
 
 namespace bookspin {

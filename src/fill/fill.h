@@ -1,4 +1,4 @@
-// Fills a template with data, by the part of the Mustache language that a page of films needs.
+// Fills a template with data, by the part of the Mustache language that the pages need.
 //
 //   {{key}}            the value, with & < > " ' escaped: safe as text and inside a quoted attribute
 //   {{{key}}}          the value as it is

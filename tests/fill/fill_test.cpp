@@ -1,6 +1,6 @@
 // The template language.
 
-#include "page/fill.h"
+#include "fill/fill.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "page/fill.h"
+#include "fill/fill.h"
 
 #include <fmt/format.h>
 
