@@ -130,7 +130,8 @@ void expect_golden(const Image& actual, const std::string& room, const std::stri
   ADD_FAILURE() << golden.string() << ": picture differs: max delta " << delta.max_delta << " (allowed "
                 << tolerance.max_delta << "), mean " << delta.mean_delta << " (allowed " << tolerance.mean_delta
                 << "), share of pixels beyond " << tolerance.threshold << " levels " << delta.share_above
-                << " (allowed " << tolerance.share << ")\n  actual: " << actual_path.string()
+                << " (allowed " << tolerance.share << "); worst, golden and picture:\n"
+                << worst_pixels(expected, actual, 10) << "  actual: " << actual_path.string()
                 << "\n  delta:  " << delta_path.string() << '\n'
                 << how_to_accept();
 }

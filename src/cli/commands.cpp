@@ -5,19 +5,21 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <stdexcept>
 #include <thread>
 
+#include "cli/assets.h"
+#include "cli/standard_output.h"
 #include "cli/watch.h"
 #include "files/files.h"
 #include "film/shoot.h"
+#include "image/compare.h"
 #include "image/png.h"
 #include "page/page.h"
 #include "report/report.h"
@@ -31,46 +33,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path project = BOOKSPIN_PROJECT_DIR;  // shaders, textures and videos are read from there
-
-[[noreturn]] void fail_option(const char* option, const std::string& found, const std::string& allowed) {
-  throw std::invalid_argument(fmt::format("{}: found '{}'; allowed: {}", option, found, allowed));
+// "1 film", "3 films".
+template <typename Number>
+std::string counted(Number count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-// A whole number that is the entire text; nothing when it is not.
-std::optional<int> whole_number(std::string_view text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return {};
-  return value;
+void complain(std::string_view what) {
+  fmt::print(stderr, "bookspin: {}\n", what);
+}
+
+fs::path folder_or(const std::string& folder, const fs::path& otherwise) {
+  return folder.empty() ? otherwise : fs::path(folder);
+}
+
+// The scene of a script; nothing, with its message shown, when there is none: others may be good.
+std::optional<Scene> try_load(const fs::path& script, const Options& options) {
+  try {
+    return load_scene(script, options.overrides);
+  } catch (const std::exception& error) {
+    complain(error.what());
+    return {};
+  }
 }
 
 MadeWith made_with(const Options& options) {
-  MadeWith result;
-  result.overrides = options.overrides;
-  const auto x = options.size.find('x');
-  const auto width = whole_number(std::string_view(options.size).substr(0, x));
-  const auto height =
-      x == std::string::npos ? std::nullopt : whole_number(std::string_view(options.size).substr(x + 1));
-  const auto fits = [](std::optional<int> n) { return n && *n >= 16 && *n <= 4096 && *n % 2 == 0; };
-  if (!fits(width) || !fits(height))
-    fail_option("--size", options.size, "WxH, both even and from 16 to 4096, such as 1280x720");
-  result.width = *width;
-  result.height = *height;
-  if (!options.frames.empty()) {
-    const std::string_view text = options.frames;
-    const auto colon = text.find(':');
-    const std::string_view from = text.substr(0, colon);
-    const std::string_view to = colon == std::string_view::npos ? "?" : text.substr(colon + 1);
-    const auto first = from.empty() ? 0 : whole_number(from);
-    const auto end = to.empty() ? -1 : whole_number(to);
-    if (!first || !end || *first < 0 || (!to.empty() && *end <= *first)) {
-      fail_option("--frames", options.frames, "A:B with 0 <= A < B, such as 0:120");
-    }
-    result.first_frame = *first;
-    result.end_frame = *end;
-  }
-  return result;
+  return {options.width, options.height, options.first_frame, options.end_frame, options.overrides};
 }
 
 int cores() {
@@ -86,13 +74,14 @@ std::size_t unmet(const std::vector<Verdict>& verdicts) {
 void print_verdicts(const std::vector<Verdict>& verdicts, bool all) {
   for (const Verdict& v : verdicts) {
     if (all || !v.met) {
-      fmt::print("    {} {}\n          {}\n", v.met ? "met:    " : "NOT MET:", v.says.empty() ? "(unnamed)" : v.says,
-                 v.text);
+      print(fmt::format("    {} {}\n          {}\n",
+                        v.met ? "met:    " : "NOT MET:", v.says.empty() ? "(unnamed)" : v.says, v.text));
     }
   }
 }
 
 std::string met_of(const std::vector<Verdict>& verdicts) {
+  if (verdicts.empty()) return "nothing expected";
   return fmt::format("{} of {} expectations met", verdicts.size() - unmet(verdicts), verdicts.size());
 }
 
@@ -112,92 +101,118 @@ std::vector<fs::path> scripts_in(const fs::path& folder) {
 }  // namespace
 
 int list_scenes(const Options& options) {
-  const std::vector<fs::path> scripts =
-      scripts_in(options.folder.empty() ? project / "videos" : fs::path(options.folder));
-  for (const fs::path& script : scripts) {
-    const Scene scene = load_scene(script, options.overrides);
-    const double seconds = static_cast<double>(scene.clip.frames) / scene.clip.fps;
-    fmt::print("{:36}  {:>7}  {}\n", script.filename().string(),
-               scene.clip.frames == 1 ? "still" : fmt::format("{:.1f} s", seconds), scene.title);
+  const fs::path folder = options.folder.empty() ? find_assets(options.assets) / "videos" : fs::path(options.folder);
+  bool good = true;
+  for (const fs::path& script : scripts_in(folder)) {
+    const std::optional<Scene> scene = try_load(script, options);
+    good = good && scene;
+    if (!scene) continue;
+    const double seconds = static_cast<double>(scene->clip.frames) / scene->clip.fps;
+    print(fmt::format("{:36}  {:>7}  {}\n", script.filename().string(),
+                      scene->clip.frames == 1 ? "still" : fmt::format("{:.1f} s", seconds), scene->title));
   }
-  return 0;
+  return good ? 0 : 1;
 }
 
 int render_scenes(const Options& options) {
-  const fs::path folder = options.folder.empty() ? project / "videos" / "site" : fs::path(options.folder);
-  const std::vector<fs::path> inputs{project / "shaders", project / "textures", "/proc/self/exe"};
+  const fs::path folder = folder_or(options.folder, "site");
+  const fs::path assets = find_assets(options.assets);
+  const std::vector<fs::path> inputs{assets / "shaders", assets / "textures", "/proc/self/exe"};
   std::vector<FilmOrder> orders;
-  for (const std::string& scene : options.scenes) {
-    FilmOrder order{scene, folder, made_with(options)};
-    for (const FilmOrder& other : orders) {
-      if (other.script.stem() == order.script.stem()) {
-        throw std::invalid_argument(fmt::format("{} and {} would make the same film", other.script.string(), scene));
+  std::vector<std::string> not_made;  // names of scripts
+  long frames = 0;
+  for (const std::string& script : options.scenes) {
+    const FilmOrder order{script, folder, made_with(options)};
+    for (const std::string& other : options.scenes) {
+      if (&other != &script && fs::path(other).stem() == order.script.stem()) {
+        throw WrongCall(fmt::format("{} and {} would make the same film", other, script));
       }
     }
-    if (!options.update || !is_up_to_date(order, inputs)) orders.push_back(order);
-  }
-  if (orders.empty()) {
-    fmt::print("{} films up to date in {}\n", options.scenes.size(), folder.string());
-    return 0;
-  }
-  long frames = 0;
-  for (const FilmOrder& order : orders) {
-    const Scene scene = load_order(order);
-    frames +=
-        (order.made_with.end_frame < 0 ? scene.clip.frames : order.made_with.end_frame) - order.made_with.first_frame;
-  }
-
-  Progress progress;
-  std::vector<FilmOutcome> outcomes;
-  double seconds = 0.0;
-  {
-    Watch watch(progress, frames, static_cast<int>(orders.size()));
-    outcomes = shoot_all(orders, project, options.jobs > 0 ? options.jobs : cores(), progress);
-    seconds = watch.seconds();
-  }
-  int made = 0;
-  bool good = true;
-  for (const FilmOutcome& outcome : outcomes) {
-    if (!outcome.receipt) {
-      good = false;
-      fmt::print(stderr, "bookspin: {}: {}\n", outcome.order.script.filename().string(), outcome.error);
+    const std::optional<Scene> scene = try_load(script, options);
+    if (!scene) {
+      not_made.push_back(order.script.filename().string());
       continue;
     }
-    const FilmReceipt& r = *outcome.receipt;
-    ++made;
-    good = good && unmet(r.verdicts) == 0;
-    fmt::print("{:34} {:5} frames {:6.2f} s {:>9}  {}\n", r.product.filename().string(), r.frames,
-               static_cast<double>(r.frames) / r.fps, readable_size(r.bytes), met_of(r.verdicts));
-    print_verdicts(r.verdicts, false);
+    const int end = options.end_frame < 0 ? scene->clip.frames : options.end_frame;
+    if (options.first_frame >= end || end > scene->clip.frames) {
+      throw WrongCall(fmt::format("--frames: found '{}:{}'; allowed: A:B with 0 <= A < B <= {} for {}",
+                                  options.first_frame, end, scene->clip.frames, script));
+    }
+    if (options.update && is_up_to_date(order, inputs)) continue;
+    orders.push_back(order);
+    frames += end - options.first_frame;
   }
-  fmt::print("{} of {} made in {}, {} frames in {:.1f} s ({:.0f} frames/s)\n", made, orders.size(), folder.string(),
-             progress.frames_done.load(), seconds, static_cast<double>(progress.frames_done.load()) / seconds);
-  if (orders.size() < options.scenes.size())
-    fmt::print("{} more were up to date\n", options.scenes.size() - orders.size());
+  const std::size_t up_to_date = options.scenes.size() - orders.size() - not_made.size();
+
+  Progress progress;
+  bool good = not_made.empty();
+  std::size_t made = 0;
+  if (!orders.empty()) {
+    std::vector<FilmOutcome> outcomes;
+    double seconds = 0.0;
+    {
+      Watch watch(progress, frames, static_cast<int>(orders.size()));
+      outcomes = shoot_all(orders, assets, options.jobs > 0 ? options.jobs : cores(), progress);
+      seconds = watch.seconds();
+    }
+    for (const FilmOutcome& outcome : outcomes) {
+      const std::string script = outcome.order.script.filename().string();
+      if (!outcome.receipt) {
+        good = false;
+        complain(fmt::format("{}: {}", script, outcome.error));
+        not_made.push_back(script);
+        continue;
+      }
+      const FilmReceipt& r = *outcome.receipt;
+      ++made;
+      good = good && unmet(r.verdicts) == 0;
+      const std::string length = fmt::format("{:5} frames {:6.2f} s", r.frames, static_cast<double>(r.frames) / r.fps);
+      print(fmt::format("{:34} {:21} {:>9}  {}\n", r.product.filename().string(), r.frames == 1 ? "    still" : length,
+                        readable_size(r.bytes), met_of(r.verdicts)));
+      print_verdicts(r.verdicts, false);
+    }
+    const long drawn = progress.frames_done;
+    const std::string rate = drawn > 1 ? fmt::format(" ({:.0f} frames/s)", static_cast<double>(drawn) / seconds) : "";
+    print(fmt::format("{} of {} made in {}, {} in {:.1f} s{}\n", made, options.scenes.size() - up_to_date,
+                      folder.string(), counted(drawn, "frame"), seconds, rate));
+  }
+  if (up_to_date > 0) print(fmt::format("{} up to date in {}\n", counted(up_to_date, "film"), folder.string()));
+  if (!not_made.empty()) print(fmt::format("not made: {}\n", fmt::join(not_made, ", ")));
   if (progress.stop) throw Stopped();
   return good ? 0 : 1;
 }
 
 int draw_scene_frame(const Options& options) {
-  const MadeWith size = made_with(options);
+  const fs::path assets = find_assets(options.assets);
   const Scene scene = load_scene(options.scenes.front(), options.overrides);
-  if (options.frame < 0 || options.frame >= scene.clip.frames) {
-    fail_option("--frame", std::to_string(options.frame), fmt::format("0 to {}", scene.clip.frames - 1));
+  if (options.frame >= scene.clip.frames) {
+    throw WrongCall(fmt::format("--frame: found '{}'; allowed: 0 to {}", options.frame, scene.clip.frames - 1));
   }
-  write_png(options.output, draw_frame(scene, options.frame, size.width, size.height, project));
+  write_png(options.output, draw_frame(scene, options.frame, options.width, options.height, assets));
   return 0;
 }
 
 int check_scenes(const Options& options) {
-  bool good = true;
+  std::size_t met = 0;
+  std::size_t failed = 0;
+  std::vector<std::string> not_read;
   for (const std::string& file : options.scenes) {
-    const Scene scene = load_scene(file, options.overrides);
-    const std::vector<Verdict> verdicts = judge(scene, simulate(scene));
-    good = good && unmet(verdicts) == 0;
-    fmt::print("{}: {}\n", fs::path(file).filename().string(), met_of(verdicts));
+    const std::string script = fs::path(file).filename().string();
+    const std::optional<Scene> scene = try_load(file, options);
+    if (!scene) {
+      not_read.push_back(script);
+      continue;
+    }
+    const std::vector<Verdict> verdicts = judge(*scene, simulate(*scene));
+    ++(unmet(verdicts) == 0 ? met : failed);
+    print(fmt::format("{}: {}\n", script, met_of(verdicts)));
     print_verdicts(verdicts, true);
   }
-  return good ? 0 : 1;
+  if (options.scenes.size() > 1) {
+    print(fmt::format("{}: {} as expected, {} not\n", counted(options.scenes.size(), "script"), met, failed));
+    if (!not_read.empty()) print(fmt::format("not checked: {}\n", fmt::join(not_read, ", ")));
+  }
+  return failed == 0 && not_read.empty() ? 0 : 1;
 }
 
 int write_trajectory(const Options& options) {
@@ -212,33 +227,59 @@ int write_trajectory(const Options& options) {
     return 0;
   }
   write(std::cout);
-  std::cout.flush();
-  if (!std::cout) throw std::runtime_error(fmt::format("standard output: cannot be written: {}", std::strerror(errno)));
+  finish_output();
   return 0;
 }
 
 int report(const Options& options) {
-  const fs::path folder = options.folder.empty() ? project / "videos" / "site" / "report" : fs::path(options.folder);
+  const fs::path folder = folder_or(options.folder, fs::path("site") / "report");
   const bool terminal = isatty(STDERR_FILENO) == 1;
   const auto start = std::chrono::steady_clock::now();
   const auto seconds = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  make_report({folder, project, options.quick}, [&](std::string_view what, double done) {
+  make_report({folder, find_assets(options.assets), options.quick}, [&](std::string_view what, double done) {
     if (terminal) fmt::print(stderr, "\r\x1b[K{:3.0f} %  {:4.0f} s  {}", 100.0 * done, seconds(), what);
     std::fflush(stderr);
   });
   if (terminal) fmt::print(stderr, "\r\x1b[K");
-  fmt::print("{} in {:.0f} s\n", (folder / "index.html").string(), seconds());
+  print(fmt::format("{} in {:.0f} s\n", (folder / "index.html").string(), seconds()));
   return 0;
 }
 
 int make_page(const Options& options) {
-  const fs::path folder = options.folder.empty() ? project / "videos" / "site" : fs::path(options.folder);
-  const PageReceipt page = write_page({folder, project / "videos" / "page"});
-  fmt::print("{}: {} film{}, {}\n", page.file.string(), page.films, page.films == 1 ? "" : "s",
-             readable_size(page.bytes));
+  const PageReceipt page =
+      write_page({folder_or(options.folder, "site"), find_assets(options.assets) / "videos" / "page"});
+  print(fmt::format("{}: {}, {}\n", page.file.string(), counted(page.films, "film"), readable_size(page.bytes)));
   return 0;
+}
+
+int compare_pictures(const Options& options) {
+  const auto picture = [](const std::string& file) {
+    try {
+      return read_png(file);
+    } catch (const std::runtime_error& error) {
+      throw WrongCall(error.what());
+    }
+  };
+  const Image a = picture(options.pictures[0]);
+  const Image b = picture(options.pictures[1]);
+  const ImageDelta delta = compare(a, b, options.threshold);
+  if (!delta.same_size) {
+    print(fmt::format("{} is {}x{}, {} is {}x{}\n", options.pictures[0], a.width, a.height, options.pictures[1],
+                      b.width, b.height));
+    return 1;
+  }
+  print(fmt::format("max delta {}, mean {:.4g}, {:.4g} % of pixels off by more than {}\n{}", delta.max_delta,
+                    delta.mean_delta, 100.0 * delta.share_above, counted(options.threshold, "level"),
+                    worst_pixels(a, b, 10)));
+  if (!options.output.empty()) write_png(options.output, delta_picture(a, b));
+  const bool unbounded = !options.max_delta && !options.mean_delta && !options.share;
+  return delta.max_delta <= options.max_delta.value_or(unbounded ? 0 : 255) &&
+                 delta.mean_delta <= options.mean_delta.value_or(HUGE_VAL) &&
+                 delta.share_above <= options.share.value_or(1.0)
+             ? 0
+             : 1;
 }
 
 }  // namespace bookspin

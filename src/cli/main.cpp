@@ -1,118 +1,170 @@
 // bookspin: parse, call, one catch, exit code. 0: everything was made and every expectation met; 1: not so; 2: a wrong
 // call.
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <new>
+#include <numeric>
 
 #include "cli/commands.h"
+#include "cli/options.h"
+#include "cli/standard_output.h"
+#include "cli/version.h"
 
+namespace bookspin {
 namespace {
 
 constexpr const char* about =
     "Films of a tumbling book: scene scripts (TOML) -> MP4, and the numbers behind them.\n"
-    "The paper's figures are in videos/*.toml; `bookspin list` shows them.";
+    "The paper's figures come with it; `bookspin list` shows them.";
+constexpr const char* exit_codes =
+    "Exit code: 0 when everything was made and every expectation met, 1 when not, 2 for a wrong call.";
+
+struct Command {
+  const char* name;
+  const char* help;
+  std::vector<Declare> options;
+  int (*run)(const Options&);
+  const char* examples;
+};
+
+const std::vector<Command> commands{
+    {"list",
+     "Show the scene scripts of a folder",
+     {scripts_folder, assets_option, set_option},
+     list_scenes,
+     "Example:\n  bookspin list videos"},
+    {"render",
+     "Make films, with poster and data beside each",
+     {scenes_argument, films_output, size_option, frames_option, jobs_option, update_flag, set_option, assets_option},
+     render_scenes,
+     "Examples:\n  bookspin render videos/fig05_unstable_x.toml -o films\n"
+     "  bookspin render my.toml --size 640x360 --frames 0:120 --set book.0.jiggle=0.01"},
+    {"frame",
+     "Draw one frame as a PNG",
+     {scene_argument, frame_option, picture_output, size_option, set_option, assets_option},
+     draw_scene_frame,
+     "Example:\n  bookspin frame videos/fig05_unstable_x.toml --frame 450 -o flipping.png"},
+    {"check",
+     "Simulate and judge every expectation, without drawing",
+     {scenes_argument, set_option},
+     check_scenes,
+     "Example:\n  bookspin check videos/*.toml"},
+    {"trajectory",
+     "Write the motion as CSV: corners, orientation, L, energies, stretch",
+     {scene_argument, table_output, set_option},
+     write_trajectory,
+     "Example:\n  bookspin trajectory videos/fig09_matrix.toml --set clip.substeps=300 -o fine.csv"},
+    {"page",
+     "Write the page of the films in a folder beside them, index.html",
+     {site_folder, assets_option},
+     make_page,
+     "Example:\n  bookspin page films"},
+    {"report",
+     "Measure speed against error, stability and the paper's claims: a page and its data",
+     {report_output, quick_flag, assets_option},
+     report,
+     "Example:\n  bookspin report -o report"},
+    {"compare",
+     "Say how far two pictures are apart: exit code 0 within the bounds, without any when they are equal; 1 beyond",
+     {pictures_argument, bounds_options, delta_output},
+     compare_pictures,
+     "Example:\n  bookspin compare before.png after.png --max-delta 16 --mean-delta 0.4 --delta differs.png"},
+};
+
+// The fewest letters to insert, delete or replace between two words. Source: Levenshtein.
+std::size_t edits(const std::string& from, const std::string& to) {
+  std::vector<std::size_t> row(to.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < to.size(); ++j) {
+      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row[to.size()];
+}
+
+// "unknown command 'rendr'; did you mean render?", or all that there are.
+std::string unknown_word(const std::string& what, const std::string& word, const std::vector<std::string>& known) {
+  const auto nearest = std::min_element(known.begin(), known.end(), [&](const std::string& a, const std::string& b) {
+    return edits(word, a) < edits(word, b);
+  });
+  if (edits(word, *nearest) <= word.size() / 3) {
+    return fmt::format("unknown {} '{}'; did you mean {}?", what, word, *nearest);
+  }
+  return fmt::format("unknown {} '{}'; allowed: {}", what, word, fmt::join(known, ", "));
+}
+
+// What is wrong with a call. A word that nobody knows is the cause of whatever else is missing.
+std::string what_is_wrong(const CLI::App& at, bool is_command, const CLI::ParseError& error) {
+  const std::vector<std::string> words = at.remaining();
+  if (words.empty()) return error.what();
+  const std::string word = words.front().substr(0, words.front().find('='));
+  std::vector<std::string> known;
+  if (word.starts_with('-')) {
+    for (const CLI::Option* option : at.get_options()) {
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    }
+    return unknown_word("option", word, known);
+  }
+  if (is_command) return fmt::format("found '{}', which is one word too many", word);
+  for (const Command& command : commands) known.emplace_back(command.name);
+  return unknown_word("command", word, known);
+}
 
 int run(int argc, char** argv) {
-  bookspin::Options options;
+  Options options;
   CLI::App app(about, "bookspin");
   app.require_subcommand(1);
   app.fallthrough(false);
   app.get_formatter()->column_width(34);
-
-  const auto add_set = [&options](CLI::App* command) {
-    command
-        ->add_option("--set", options.overrides, "Change a key of the script, dotted, books by index; may be repeated")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
-  };
-  const auto add_scenes = [&options](CLI::App* command) {
-    command->add_option("SCENE", options.scenes, "Scene scripts")->required()->type_name("FILE.toml");
-  };
-  const auto add_scene = [&options](CLI::App* command) {
-    command->add_option("SCENE", options.scenes, "Scene script")->required()->expected(1)->type_name("FILE.toml");
-  };
-  const auto add_size = [&options](CLI::App* command) {
-    command->add_option("--size", options.size, "Picture size in pixels, both even, up to 4096")
-        ->type_name("WxH")
-        ->capture_default_str();
-  };
-
-  CLI::App* list = app.add_subcommand("list", "Show the scene scripts of a folder");
-  list->add_option("DIR", options.folder, "Folder of scripts (default: the project's videos)");
-  add_set(list);
-  list->footer("Example:\n  bookspin list videos");
-
-  CLI::App* render = app.add_subcommand("render", "Make films, with poster and data beside each");
-  add_scenes(render);
-  render->add_option("-o,--output", options.folder, "Folder of the films (default: the project's videos/site)")
-      ->type_name("DIR");
-  add_size(render);
-  render->add_option("--frames", options.frames, "Only frames A to B, B not included; either may be left out")
-      ->type_name("A:B");
-  render->add_option("-j,--jobs", options.jobs, "Films made at the same time (default: one a core)")
-      ->check(CLI::Range(1, 256));
-  render->add_flag(
-      "--update", options.update,
-      "Only films older than their script, the shaders, the textures or this program, made otherwise, or with an "
-      "expectation unmet");
-  add_set(render);
-  render->footer(
-      "Examples:\n  bookspin render videos/fig05_unstable_x.toml -o films\n"
-      "  bookspin render my.toml --size 640x360 --frames 0:120 --set book.0.jiggle=0.01");
-
-  CLI::App* frame = app.add_subcommand("frame", "Draw one frame as a PNG");
-  add_scene(frame);
-  frame->add_option("--frame", options.frame, "Which frame, from 0")->required()->type_name("N");
-  frame->add_option("-o,--output", options.output, "The picture")->required()->type_name("FILE.png");
-  add_size(frame);
-  add_set(frame);
-  frame->footer("Example:\n  bookspin frame videos/fig05_unstable_x.toml --frame 450 -o flipping.png");
-
-  CLI::App* check = app.add_subcommand("check", "Simulate and judge every expectation, without drawing");
-  add_scenes(check);
-  add_set(check);
-  check->footer("Example:\n  bookspin check videos/*.toml");
-
-  CLI::App* trajectory =
-      app.add_subcommand("trajectory", "Write the motion as CSV: corners, orientation, L, energies, stretch");
-  add_scene(trajectory);
-  trajectory->add_option("-o,--output", options.output, "The table (default: standard output)")->type_name("FILE.csv");
-  add_set(trajectory);
-  trajectory->footer("Example:\n  bookspin trajectory videos/fig09_matrix.toml --set clip.substeps=300 -o fine.csv");
-
-  CLI::App* report = app.add_subcommand(
-      "report", "Measure speed against error, stability and the paper's claims: a page and its data");
-  report->add_option("-o,--output", options.folder, "Folder of the report (default: the project's videos/site/report)")
-      ->type_name("DIR");
-  report->add_flag("--quick", options.quick, "Every file in seconds: for tests, not for reading");
-  report->footer("Example:\n  bookspin report -o report");
-
-  CLI::App* page = app.add_subcommand("page", "Write the course page beside the films, index.html");
-  page->add_option("DIR", options.folder, "Folder of the films (default: the project's videos/site)");
-  page->footer("Example:\n  bookspin page videos/site");
-
+  app.set_version_flag("--version", version_text, "Print the version, and those of the libraries");
+  app.footer(exit_codes);
+  for (const Command& command : commands) {
+    CLI::App* parser = app.add_subcommand(command.name, command.help);
+    for (const Declare declare : command.options) declare(*parser, options);
+    parser->footer(command.examples);
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    if (error.get_exit_code() == 0) return app.exit(error);  // help or version
+    const std::vector<CLI::App*> parsed = app.get_subcommands();
+    const bool is_command = !parsed.empty();
+    const CLI::App& at = is_command ? *parsed.front() : app;
+    const std::string name = is_command ? "bookspin " + at.get_name() : "bookspin";
+    throw WrongCall(fmt::format("{}\n`{} --help` explains", what_is_wrong(at, is_command, error), name));
   }
-  if (*list) return bookspin::list_scenes(options);
-  if (*render) return bookspin::render_scenes(options);
-  if (*frame) return bookspin::draw_scene_frame(options);
-  if (*check) return bookspin::check_scenes(options);
-  if (*trajectory) return bookspin::write_trajectory(options);
-  if (*report) return bookspin::report(options);
-  return bookspin::make_page(options);
+  const std::string name = app.get_subcommands().front()->get_name();
+  return std::find_if(commands.begin(), commands.end(), [&](const Command& c) { return c.name == name; })->run(options);
 }
 
 }  // namespace
+}  // namespace bookspin
 
 int main(int argc, char** argv) {
+  const auto failed = [](const char* what, int exit_code) {
+    std::fprintf(stderr, "bookspin: %s\n", what);
+    return exit_code;
+  };
+  bookspin::reserve_standard_streams();
   try {
-    return run(argc, argv);
+    const int exit_code = bookspin::run(argc, argv);
+    bookspin::finish_output();
+    return exit_code;
+  } catch (const bookspin::WrongCall& error) {
+    return failed(error.what(), 2);
+  } catch (const std::bad_alloc&) {
+    return failed("out of memory", 1);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "bookspin: %s\n", error.what());
-    return 1;
+    return failed(error.what(), 1);
   }
 }

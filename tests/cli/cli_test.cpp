@@ -43,17 +43,22 @@ struct Cli : testing::Test {
 
 TEST_F(Cli, HelpOfEveryCommandHasAnExample) {
   EXPECT_EQ((*this)("--help").exit_code, 0);
-  for (const char* command : {"list", "render", "frame", "check", "trajectory"}) {
+  for (const char* command : {"list", "render", "frame", "check", "trajectory", "page", "report", "compare"}) {
     const Said said = (*this)(std::string(command) + " --help");
     EXPECT_EQ(said.exit_code, 0);
     EXPECT_THAT(said.out, HasSubstr("Example")) << command;
     EXPECT_THAT(said.out, HasSubstr(std::string("  bookspin ") + command)) << command;
-    EXPECT_THAT(said.out, HasSubstr("--set")) << command;
   }
+  EXPECT_THAT((*this)("render --help").out, ContainsRegex("--size WxH.*1280x720"));
 }
 
-TEST_F(Cli, PageHasAnExampleToo) {
-  EXPECT_THAT((*this)("page --help").out, HasSubstr("  bookspin page videos/site"));
+TEST_F(Cli, SaysWhatItIsMadeOf) {
+  const Said said = (*this)("--version");
+  EXPECT_EQ(said.exit_code, 0);
+  EXPECT_THAT(said.out, ContainsRegex("^bookspin [0-9.]+"));
+  for (const char* library : {"libavcodec", "libpng", "FreeType", "Eigen", "fmt", "toml\\+\\+"}) {
+    EXPECT_THAT(said.out, ContainsRegex(std::string(library) + " [0-9]+\\.[0-9]+\\.[0-9]+"));
+  }
 }
 
 TEST_F(Cli, ListsTheFiguresOfTheProjectAndOfAFolder) {
@@ -62,6 +67,90 @@ TEST_F(Cli, ListsTheFiguresOfTheProjectAndOfAFolder) {
   EXPECT_EQ(said.exit_code, 0);
   EXPECT_THAT(said.out, ContainsRegex("mine.toml +0.2 s  Mine"));
   EXPECT_EQ((*this)("list nowhere").exit_code, 1);
+}
+
+TEST_F(Cli, ABadScriptDoesNotStopTheOthers) {
+  write_text(scratch / "bad.toml", "title = 3\n");
+  write_text(scratch / "other.toml", good_script);
+  for (const char* command : {"list .", "check mine.toml bad.toml other.toml",
+                              "render mine.toml bad.toml other.toml -o films --size 64x36"}) {
+    const Said said = (*this)(command);
+    EXPECT_EQ(said.exit_code, 1) << command;
+    EXPECT_THAT(said.err, HasSubstr("bad.toml:1:9: title: found 3")) << command;
+    EXPECT_THAT(said.out, HasSubstr("mine")) << command;
+    EXPECT_THAT(said.out, HasSubstr("other")) << command;
+  }
+  EXPECT_THAT((*this)("check mine.toml bad.toml other.toml").out,
+              HasSubstr("3 scripts: 2 as expected, 0 not\nnot checked: bad.toml\n"));
+  const Said said = (*this)("render mine.toml bad.toml other.toml -o films --size 64x36 --update");
+  EXPECT_THAT(said.out, HasSubstr("2 films up to date in films\nnot made: bad.toml\n"));
+  EXPECT_EQ(said.exit_code, 1);
+}
+
+// The program's files: named by an option or the environment, or found beside a program that has been moved.
+TEST_F(Cli, FindsItsFilesOrSaysWhereItLooked) {
+  fs::create_directories(scratch / "bin");
+  fs::create_directories(scratch / "share/bookspin/videos");
+  fs::copy_file(std::string(BOOKSPIN_BINARY_DIR) + "/bookspin", scratch / "bin/bookspin");
+  fs::copy_file(scratch / "mine.toml", scratch / "share/bookspin/videos/moved.toml");
+  const auto list = [this](const std::string& before, const std::string& after) {
+    return run(scratch, before + " bin/bookspin list " + after);
+  };
+  EXPECT_THAT(list("", "").out,
+              HasSubstr("fig05_unstable_x.toml"));  // those are no files of its own: parts are missing
+  for (const char* part : {"shaders", "textures", "data"}) {
+    fs::create_directory_symlink(fs::path(BOOKSPIN_SOURCE_DIR) / part,
+                                 scratch / ("share/bookspin/" + std::string(part)));
+  }
+  EXPECT_THAT(list("", "").out, StartsWith("moved.toml"));
+  EXPECT_THAT(list("BOOKSPIN_ASSETS=" BOOKSPIN_SOURCE_DIR, "").out, HasSubstr("fig05_unstable_x.toml"));
+  EXPECT_THAT(list("BOOKSPIN_ASSETS=nowhere", "--assets " BOOKSPIN_SOURCE_DIR).out, HasSubstr("fig05_unstable_x.toml"));
+  for (const Said& said : {list("BOOKSPIN_ASSETS=nowhere", ""), list("", "--assets nowhere")}) {
+    EXPECT_EQ(said.exit_code, 1);
+    EXPECT_THAT(said.err, HasSubstr("shaders, textures, videos, data) are not in\n  nowhere\n"));
+  }
+  fs::create_directory_symlink(fs::path(BOOKSPIN_SOURCE_DIR) / "videos/page", scratch / "share/bookspin/videos/page");
+  EXPECT_EQ(run(scratch, "bin/bookspin render mine.toml --size 64x36").exit_code, 0);
+  EXPECT_THAT(run(scratch, "bin/bookspin page").out, StartsWith("site/index.html: 1 film, "));
+  EXPECT_TRUE(fs::exists(scratch / "site/mine.mp4"));  // in the folder that one is in, not in somebody's checkout
+}
+
+TEST_F(Cli, MakesThePageOfAStrangersFilms) {
+  EXPECT_EQ((*this)("render mine.toml -o films --size 64x36").exit_code, 0);
+  const Said said = (*this)("page films");
+  EXPECT_EQ(said.exit_code, 0);
+  EXPECT_THAT(said.out, ContainsRegex("films/index.html: 1 film, [0-9]+ kB"));
+  EXPECT_THAT(read_text(scratch / "films/index.html"), HasSubstr("<article class=\"film\" id=\"mine\""));
+}
+
+TEST_F(Cli, ComparesPictures) {
+  Image picture(32, 16);
+  for (std::uint8_t& level : picture.rgba) level = 255;
+  write_png(scratch / "a.png", picture);
+  std::fill_n(picture.pixel(5, 7), 3, std::uint8_t{235});
+  write_png(scratch / "b.png", picture);
+  write_png(scratch / "small.png", Image(16, 16));
+
+  EXPECT_EQ((*this)("compare a.png a.png").exit_code, 0);
+  const Said said = (*this)("compare a.png b.png --delta delta.png --threshold 8");
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.out, StartsWith("max delta 20, mean 0.03906, 0.1953 % of pixels off by more than 8 levels\n"));
+  EXPECT_THAT(said.out, HasSubstr("     5     7     20  255 255 255 255   235 235 235 255\n"));
+  EXPECT_EQ(read_png(scratch / "delta.png").width, 32);
+  for (const char* within : {"--max-delta 20", "--mean-delta 0.04", "--share 0.002", "--share 0 --threshold 20"}) {
+    EXPECT_EQ((*this)(std::string("compare a.png b.png ") + within).exit_code, 0) << within;
+  }
+  for (const char* beyond : {"--max-delta 19", "--mean-delta 0.03", "--share 0.001", "--share 0 --threshold 19"}) {
+    EXPECT_EQ((*this)(std::string("compare a.png b.png ") + beyond).exit_code, 1) << beyond;
+  }
+  EXPECT_THAT((*this)("compare a.png small.png --max-delta 255").out, HasSubstr("a.png is 32x16, small.png is 16x16"));
+  EXPECT_EQ((*this)("compare a.png small.png --max-delta 255").exit_code, 1);
+}
+
+TEST_F(Cli, AStillHasNoRate) {
+  const Said said = (*this)("render mine.toml -o . --size 64x36 --set clip.frames=1");
+  EXPECT_THAT(said.out, ContainsRegex("mine.png +still +[0-9]+ kB +1 of 1"));
+  EXPECT_THAT(said.out, ContainsRegex("1 of 1 made in ., [01] frames? in [0-9.]+ s\n"));
 }
 
 TEST_F(Cli, RendersAFilmSilentlyWhenPiped) {
@@ -83,7 +172,7 @@ TEST_F(Cli, RendersTheFramesAskedFor) {
 TEST_F(Cli, UpdateMakesOnlyWhatIsStale) {
   const std::string command = "render mine.toml -o . --size 64x36 --update";
   EXPECT_THAT((*this)(command).out, HasSubstr("1 of 1 made"));
-  EXPECT_THAT((*this)(command).out, HasSubstr("1 films up to date"));
+  EXPECT_THAT((*this)(command).out, HasSubstr("1 film up to date"));
   EXPECT_THAT((*this)(command + " --set seed=9").out, HasSubstr("1 of 1 made"));
 }
 
@@ -148,35 +237,60 @@ INSTANTIATE_TEST_SUITE_P(
     Cli, BadCalls,
     testing::Values(
         BadCall{"nothing", "", 2, "A subcommand is required"},
-        BadCall{"unknown_command", "film mine.toml", 2, "subcommand is required"},
-        BadCall{"unknown_option", "check mine.toml --fast", 2, "--fast"}, BadCall{"no_scene", "render", 2, "SCENE"},
+        BadCall{"unknown_command", "film mine.toml", 2,
+                "unknown command 'film'; allowed: list, render, frame, check, trajectory, page, report, compare\n"},
+        BadCall{"nearly_a_command", "rendr mine.toml", 2, "unknown command 'rendr'; did you mean render?\n"},
+        BadCall{"unknown_option", "check mine.toml --fast", 2, "unknown option '--fast'; allowed: --help, --set\n"},
+        BadCall{"nearly_an_option", "render --siz=64x36", 2, "unknown option '--siz'; did you mean --size?\n"},
+        BadCall{"one_word_too_many", "list . there", 2, "found 'there', which is one word too many"},
+        BadCall{"no_scene", "render", 2, "SCENE"}, BadCall{"empty_scene", "check ''", 2, "SCENE: is empty"},
+        BadCall{"empty_output", "render mine.toml -o ''", 2, "--output: is empty"},
+        BadCall{"empty_folder", "page ''", 2, "DIR: is empty"},
+        BadCall{"empty_assets", "list --assets ''", 2, "--assets: is empty"},
         BadCall{"missing_file", "render nowhere.toml -o .", 1, "nowhere.toml: cannot be read"},
         BadCall{"bad_value", "render bad.toml -o .", 1,
                 "bad.toml:3:13: book.0.stiffness: found -3; allowed: a number more than 0"},
-        BadCall{"bad_among_good", "render mine.toml bad.toml -o .", 1, "bad.toml:3:13"},
         BadCall{"bad_override", "check mine.toml --set book.0.method=magic", 1,
                 "--set book.0.method=magic: book.0.method: found 'magic'; allowed: one of \"springs\""},
         BadCall{"override_of_no_book", "check mine.toml --set book.4.jiggle=0", 1,
                 "--set book.4.jiggle=0: there is no '4' in a list of 1"},
-        BadCall{"override_without_value", "check mine.toml --set seed", 1, "allowed: KEY=VALUE"},
-        BadCall{"odd_size", "render mine.toml -o . --size 161x90", 1,
+        BadCall{"override_without_value", "check mine.toml --set seed", 2, "--set: found 'seed'; allowed: KEY=VALUE"},
+        BadCall{"odd_size", "render mine.toml -o . --size 161x90", 2,
                 "--size: found '161x90'; allowed: WxH, both even"},
-        BadCall{"size_in_words", "render mine.toml -o . --size big", 1, "--size: found 'big'"},
-        BadCall{"size_too_large", "frame mine.toml --frame 0 -o a.png --size 9000x9000", 1, "from 16 to 4096"},
-        BadCall{"frames_reversed", "render mine.toml -o . --frames 8:3", 1, "--frames: found '8:3'; allowed: A:B"},
-        BadCall{"frames_beyond", "render mine.toml -o . --frames 0:13", 1,
-                "found frames 0:13; allowed: A:B with 0 <= A < B <= 12"},
-        BadCall{"frame_beyond", "frame mine.toml --frame 12 -o a.png", 1, "--frame: found '12'; allowed: 0 to 11"},
+        BadCall{"size_in_words", "render mine.toml -o . --size big", 2, "--size: found 'big'"},
+        BadCall{"size_of_one_number", "render mine.toml -o . --size 64x", 2, "--size: found '64x'"},
+        BadCall{"size_too_large", "frame mine.toml --frame 0 -o a.png --size 9000x9000", 2, "from 16 to 4096"},
+        BadCall{"frames_reversed", "render mine.toml -o . --frames 8:3", 2, "--frames: found '8:3'; allowed: A:B"},
+        BadCall{"frames_beyond", "render mine.toml -o . --frames 0:13", 2,
+                "--frames: found '0:13'; allowed: A:B with 0 <= A < B <= 12 for mine.toml"},
+        BadCall{"frame_beyond", "frame mine.toml --frame 12 -o a.png", 2, "--frame: found '12'; allowed: 0 to 11"},
+        BadCall{"frame_in_words", "frame mine.toml --frame abc -o a.png", 2,
+                "--frame: found 'abc'; allowed: a whole number from 0"},
+        BadCall{"frame_as_jpeg", "frame mine.toml --frame 1 -o a.jpg", 2,
+                "--output: found 'a.jpg'; allowed: a name that ends in .png"},
+        BadCall{"no_jobs", "render mine.toml --jobs ''", 2, "--jobs: found ''; allowed: a whole number from 1 to 256"},
         BadCall{"unwritable", "render mine.toml -o /proc/nowhere --size 64x36", 1, "/proc/nowhere"},
         BadCall{"trajectory_nowhere", "trajectory mine.toml -o nowhere/a.csv", 1, "nowhere/a.csv: cannot be opened"},
         BadCall{"page_without_films", "page .", 1, ".: holds no films; `bookspin render SCENE.toml -o .`"},
-        BadCall{"twice", "render mine.toml ./mine.toml -o .", 1, "would make the same film"}),
+        BadCall{"no_picture", "compare a.png b.png", 2, "a.png"},
+        BadCall{"not_a_picture", "compare mine.toml mine.toml", 2, "mine.toml: read PNG: "},
+        BadCall{"bound_out_of_range", "compare mine.toml mine.toml --max-delta 256", 2,
+                "--max-delta: found '256'; allowed: a whole number from 0 to 255"},
+        BadCall{"twice", "render mine.toml ./mine.toml -o .", 2, "would make the same film"}),
     [](const auto& param_info) { return param_info.param.name; });
 
-TEST_F(Cli, AFullDiskIsAnError) {
-  const Said said = run(scratch, "(" + bookspin + "trajectory mine.toml >/dev/full)");
-  EXPECT_EQ(said.exit_code, 1);
-  EXPECT_THAT(said.err, HasSubstr("standard output: cannot be written: No space left on device"));
+TEST_F(Cli, OutputThatNobodyCanReadIsAnError) {
+  for (const char* command :
+       {"--help", "--version", "list", "check mine.toml", "trajectory mine.toml",
+        "render mine.toml -o films --size 64x36", "page films", "compare films/mine.png films/mine.png"}) {
+    const Said full = run(scratch, "(" + bookspin + command + " >/dev/full)");
+    EXPECT_EQ(full.exit_code, 1) << command;
+    EXPECT_THAT(full.err, HasSubstr("standard output: cannot be written: No space left on device")) << command;
+    const Said closed = run(scratch, "(" + bookspin + command + " >&-)");
+    EXPECT_EQ(closed.exit_code, 1) << command;
+    EXPECT_THAT(closed.err, HasSubstr("standard output: cannot be written: Bad file descriptor")) << command;
+  }
+  EXPECT_EQ(read_mp4_info(scratch / "films/mine.mp4").frames, 12);  // nothing was printed into a film
 }
 
 // Ctrl-C in the middle of a long film.

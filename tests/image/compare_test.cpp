@@ -7,14 +7,14 @@
 namespace bookspin {
 namespace {
 
-Image grey(int width, int height, std::uint8_t level) {
+Image gray(int width, int height, std::uint8_t level) {
   Image image(width, height);
   for (std::size_t i = 0; i < image.rgba.size(); ++i) image.rgba[i] = i % 4 == 3 ? 255 : level;
   return image;
 }
 
 TEST(Compare, EqualPictures) {
-  const ImageDelta delta = compare(grey(8, 4, 100), grey(8, 4, 100), 0);
+  const ImageDelta delta = compare(gray(8, 4, 100), gray(8, 4, 100), 0);
   EXPECT_TRUE(delta.same_size);
   EXPECT_EQ(delta.max_delta, 0);
   EXPECT_EQ(delta.mean_delta, 0);
@@ -22,7 +22,7 @@ TEST(Compare, EqualPictures) {
 }
 
 TEST(Compare, AnyChannelCounts) {
-  const Image a = grey(8, 4, 100);
+  const Image a = gray(8, 4, 100);
   Image b = a;
   b.rgba[0] = 90;           // red of the first pixel, 10 down
   b.rgba[4 * 5 + 2] = 103;  // blue of another, 3 up
@@ -33,8 +33,23 @@ TEST(Compare, AnyChannelCounts) {
   EXPECT_DOUBLE_EQ(delta.share_above, 2.0 / 32);
 }
 
+TEST(Compare, TheWorstPixelsComeFirst) {
+  const Image a = gray(8, 4, 100);
+  Image b = a;
+  b.pixel(3, 2)[1] = 107;
+  b.pixel(7, 3)[2] = 80;
+  b.pixel(0, 0)[0] = 99;
+  const std::string all = worst_pixels(a, b, 10);
+  EXPECT_EQ(all.substr(all.find('\n') + 1),
+            "     7     3     20  100 100 100 255   100 100  80 255\n"
+            "     3     2      7  100 100 100 255   100 107 100 255\n"
+            "     0     0      1  100 100 100 255    99 100 100 255\n");
+  EXPECT_EQ(worst_pixels(a, b, 2), all.substr(0, all.rfind("     0     0")));
+  EXPECT_EQ(worst_pixels(a, a, 10), "");
+}
+
 TEST(Compare, DifferentSizes) {
-  EXPECT_FALSE(compare(grey(8, 4, 0), grey(4, 8, 0), 0).same_size);
+  EXPECT_FALSE(compare(gray(8, 4, 0), gray(4, 8, 0), 0).same_size);
 }
 
 TEST(Compare, DeltaPictureShowsWhatDiffers) {

@@ -47,6 +47,8 @@ TEST(Golden, OnePixelOrAllALittleIsADifferentPicture) {
 
   shown().rgba[0] = 40;
   EXPECT_NONFATAL_FAILURE(expect_golden(shown(), "image", "disc"), "make -C");
+  EXPECT_NONFATAL_FAILURE(expect_golden(shown(), "image", "disc"),
+                          "     0     0     40    0   0   0 255    40   0   0 255\n");
   EXPECT_EQ(read_png(failures() / "disc.png").rgba, shown().rgba);
   EXPECT_TRUE(fs::exists(failures() / "disc.delta.png"));
 
