@@ -4,21 +4,6 @@
 #include <cmath>
 
 namespace bookspin {
-namespace {
-
-Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d m;
-  m << 0.0, -v.z(), v.y(),  //
-      v.z(), 0.0, -v.x(),   //
-      -v.y(), v.x(), 0.0;
-  return m;
-}
-
-double rotational_energy(const Eigen::Matrix3d& R_WB, const Eigen::Vector3d& I_B, const Eigen::Vector3d& L_W) {
-  return 0.5 * L_W.dot(angular_velocity_W(R_WB, I_B, L_W));
-}
-
-}  // namespace
 
 Eigen::Vector3d angular_velocity_W(const Eigen::Matrix3d& R_WB, const Eigen::Vector3d& I_B,
                                    const Eigen::Vector3d& L_W) {
@@ -37,16 +22,13 @@ MatrixBook::MatrixBook(const BookOptions& options)
     : body_(body_of(options)), normalization_{options.normalize_every}, L_W_(body_.I_B.cwiseProduct(options.omega_W)) {}
 
 void MatrixBook::step(double h) {
-  R_WB_ += h * (cross_matrix(angular_velocity_W(R_WB_, body_.I_B, L_W_)) * R_WB_);
+  const Eigen::Vector3d turn_W = h * angular_velocity_W(R_WB_, body_.I_B, L_W_);
+  for (int d = 0; d < 3; ++d) R_WB_.col(d) += turn_W.cross(R_WB_.col(d));
   // det(R + h [omega]x R) = det R (1 + h^2 omega^2) > 0: U V^T is a rotation, never a reflection.
   if (normalization_.due() && R_WB_.allFinite()) {
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(R_WB_, Eigen::ComputeFullU | Eigen::ComputeFullV);
     R_WB_ = svd.matrixU() * svd.matrixV().transpose();
   }
-}
-
-double MatrixBook::kinetic_energy() const {
-  return rotational_energy(R_WB_, body_.I_B, L_W_);
 }
 
 QuaternionBook::QuaternionBook(const BookOptions& options)
@@ -57,10 +39,6 @@ void QuaternionBook::step(double h) {
   const Eigen::Quaterniond rate(0.0, omega_W.x(), omega_W.y(), omega_W.z());
   q_WB_.coeffs() += 0.5 * h * (rate * q_WB_).coeffs();
   if (normalization_.due()) normalize(q_WB_);
-}
-
-double QuaternionBook::kinetic_energy() const {
-  return rotational_energy(q_WB_.toRotationMatrix(), body_.I_B, L_W_);
 }
 
 }  // namespace bookspin

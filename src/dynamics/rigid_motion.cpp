@@ -1,20 +1,15 @@
 #include "dynamics/rigid_motion.h"
 
+#include <utility>
+
 #include "dynamics/integrators.h"
 #include "dynamics/rigid_book.h"
 
 namespace bookspin {
-namespace {
 
-Body body_of_unit_particles(BookOptions options) {
+TorqueFree exact_motion(BookOptions options) {
   options.particle_mass = 1.0;
-  return body_of(options);
-}
-
-}  // namespace
-
-TorqueFree exact_motion(const BookOptions& options) {
-  const Eigen::Vector3d I_B = body_of_unit_particles(options).I_B;
+  const Eigen::Vector3d I_B = body_of(options).I_B;
   return {I_B, Eigen::Quaterniond::Identity(), I_B.cwiseProduct(options.omega_W)};
 }
 
@@ -34,9 +29,9 @@ void FreeBook::step(double h) {
   if (normalization_.due()) normalize(state_.q_WB);
 }
 
-ExactBook::ExactBook(const BookOptions& options)
-    : body_(body_of_unit_particles(options)),
-      particle_mass_(options.particle_mass),
+ExactBook::ExactBook(BookOptions options)
+    : particle_mass_(std::exchange(options.particle_mass, 1.0)),
+      body_(body_of(options)),
       motion_(exact_motion(options)),
       state_(motion_.at(0.0)) {}
 

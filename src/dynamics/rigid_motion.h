@@ -14,7 +14,7 @@
 namespace bookspin {
 
 // The exact motion of particles of mass 1: every method's referee.
-[[nodiscard]] TorqueFree exact_motion(const BookOptions& options);
+[[nodiscard]] TorqueFree exact_motion(BookOptions options);
 
 class FreeBook {
  public:
@@ -40,7 +40,7 @@ class FreeBook {
 
 class ExactBook {
  public:
-  explicit ExactBook(const BookOptions& options);
+  explicit ExactBook(BookOptions options);
 
   void move_to(double t) { state_ = motion_.at(t); }  // t: unit of time, from the start
 
@@ -54,8 +54,8 @@ class ExactBook {
   }
 
  private:
-  Body body_;  // of particles of mass 1
   double particle_mass_;
+  Body body_;  // of particles of mass 1
   TorqueFree motion_;
   RigidState state_;
 };
