@@ -111,10 +111,10 @@ void dmv_step(RigidState& state, const Eigen::Vector3d& I, double h) {
   turn(state, Eigen::Quaterniond(w, w * e.x(), w * e.y(), w * e.z()));
 }
 
-// 1 / moment_j = s / I_j + d, with s = 1 + h^2 s3 + h^4 s5 + ..., d = h^2 d3 + h^4 d5 + ...; s_k and d_k are polynomials
-// in H = sum L_j^2 / (2 I_j), C = sum L_j^2 / 2 and the elementary symmetric functions of the 1 / I_j. s3 and d3 are as
-// Hairer & Vilmart print them; all were found by equating one step with the Taylor series of the motion, in rational
-// arithmetic.
+// 1 / moment_j = s / I_j + d, with s = 1 + h^2 s3 + h^4 s5 + ..., d = h^2 d3 + h^4 d5 + ...; s_k and d_k are
+// polynomials in H = sum L_j^2 / (2 I_j), C = sum L_j^2 / 2 and the elementary symmetric functions of the 1 / I_j.
+// s3 and d3 are as Hairer & Vilmart print them; all were found by equating one step with the Taylor series of the
+// motion, in rational arithmetic.
 Eigen::Vector3d step_moments(Integrator integrator, const Eigen::Vector3d& I_B, const Eigen::Vector3d& L_B, double h) {
   if (integrator != Integrator::dmv6 && integrator != Integrator::dmv10) return I_B;
   const Eigen::Vector3d a = I_B.cwiseInverse();
@@ -123,8 +123,8 @@ Eigen::Vector3d step_moments(Integrator integrator, const Eigen::Vector3d& I_B, 
   const double e3 = a.prod();
   const double C = 0.5 * h * h * L_B.squaredNorm();  // with the powers of h
   const double H = 0.5 * h * h * L_B.dot(L_B.cwiseProduct(a));
-  if (!(C * e2 + H * e1 < 100.0))
-    return Eigen::Vector3d::Constant(nan);  // a thin rod: the terms cancel, only rounding is left
+  // A thin rod: the terms cancel, only rounding is left.
+  if (!(C * e2 + H * e1 < 100.0)) return Eigen::Vector3d::Constant(nan);
   double s = 1.0 + C * e2 / 6 - H * e1 / 3;
   double d = -C * e3 / 3 + H * e2 / 6;
   s += C * C * (e2 * e2 / 30 - e1 * e3 / 10) + H * C * (-e1 * e2 / 30 + e3 * 2 / 15) + H * H * (e1 * e1 / 30 - e2 / 60);

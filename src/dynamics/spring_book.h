@@ -2,15 +2,14 @@
 //
 //   F_ij = -(c xhat_ij . (v_i - v_j) + k (|x_i - x_j| - l_ij)) xhat_ij,   F_ji = -F_ij,   c = damping 2 sqrt(k m)
 //
-// Explicit Euler as in the original: forces from the old positions and velocities; x += h v; v += h F / m.
-// Semi-implicit Euler: v first, x with the new v. Velocity Verlet (order 2) and its composition of 17 stages (order 8;
-// stable for long up to h near 2.7 / sqrt(8 k / m)) need damping 0: half a kick that depends on v is not undone by half
-// a kick backwards, and the order would fall to 1. RK4 may have damping.
+// Explicit Euler as in the original: forces from the old x and v; x += h v; v += h F / m. Semi-implicit Euler: x with
+// the new v. Velocity Verlet and its composition of 17 stages (stable for long up to h near 2.7 / sqrt(8 k / m)) need
+// damping 0: half a kick that depends on v is not undone by half a kick backwards, and the order would fall to 1.
 // Normalization, every n-th step: v is scaled so that the kinetic energy becomes max(0.1 E0, E0 - elastic energy)
 // (explicit Euler: of the OLD positions), then mean position and mean velocity are taken away. The floor answers the
-// printed formula's root of a negative number; `floor_hits` counts how often it bites.
-// Coincident particles have no direction: their spring pulls nothing. World frame. Overflow stays NaN. Throws
-// std::invalid_argument for an integrator without a spring step (integrators.h).
+// printed formula's root of a negative number; `floor_hits` counts how often it bites. Coincident particles have no
+// direction: their spring pulls nothing. World frame. Overflow stays NaN. Throws std::invalid_argument for an
+// integrator without a spring step (integrators.h).
 #pragma once
 
 #include <array>

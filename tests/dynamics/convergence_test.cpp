@@ -1,4 +1,4 @@
-// Rigid explicit Euler against exact motion (the springs': integrators_test.cpp): first order, and the growth rate of the unstable spin.
+// Explicit Euler of the rigid books against exact motion: first order, and the growth rate of the unstable spin.
 //
 // The literal samples are of the closed form, computed with 30 digits and more.
 #include <gtest/gtest.h>

@@ -1,7 +1,8 @@
-// videos/README.md names every key of a script and every quantity.
+// videos/README.md names every key of a script, every quantity and every integrator.
 
 #include <gtest/gtest.h>
 
+#include "dynamics/integrators.h"
 #include "scene/quantities.h"
 #include "scene/scene_file.h"
 #include "scratch.h"
@@ -19,6 +20,12 @@ bool names(char before, std::string_view word, char after) {
 TEST(Manual, names_every_quantity) {
   for (const Quantity& quantity : quantities()) {
     EXPECT_TRUE(names('`', quantity.name, '`')) << quantity.name;
+  }
+}
+
+TEST(Manual, NamesEveryIntegrator) {
+  for (const IntegratorInfo& integrator : integrators) {
+    EXPECT_TRUE(names('`', integrator.name, '`')) << integrator.name;
   }
 }
 
