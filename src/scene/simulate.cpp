@@ -199,7 +199,7 @@ Eigen::Vector3d jiggle_direction(std::uint64_t seed) {
   while (true) {
     Eigen::Vector3d u;
     for (int d = 0; d < 3; ++d) u(d) = uniform();
-    const double n2 = u.squaredNorm();
+    const double n2 = u.x() * u.x() + u.y() * u.y() + u.z() * u.z();
     if (n2 > 1e-4 && n2 <= 1.0) return u / std::sqrt(n2);
   }
 }
