@@ -9,7 +9,6 @@
 #include <ostream>
 
 #include "files/files.h"
-#include "scene/quantities.h"
 #include "scene/scene_file.h"
 
 namespace bookspin {
@@ -43,9 +42,9 @@ Json short_number(double value) {
 
 Json book_json(const BookSetup& setup, const BookTrack& track) {
   Json lists = Json::object();
-  for (const Quantity& quantity : quantities()) {
-    Json& list = lists[std::string(quantity.name)] = Json::array();
-    for (const BookFrame& frame : track.frames) list.push_back(short_number(quantity.of(frame)));
+  for (const Quantity& q : quantities) {
+    Json& list = lists[std::string(q.name)] = Json::array();
+    for (const BookFrame& frame : track.frames) list.push_back(short_number(frame[q.id]));
   }
   return {{"name", setup.name},
           {"method", name_of(setup.method)},
@@ -66,8 +65,14 @@ Json as_json(const FilmData& data) {
         {{"says", v.says}, {"text", v.text}, {"met", v.met}, {"found", v.found}, {"frame", v.frame}});
   }
   json["quantities"] = Json::array();
-  for (const Quantity& quantity : quantities()) {
-    json["quantities"].push_back({{"name", quantity.name}, {"unit", quantity.unit}, {"meaning", quantity.meaning}});
+  for (const Quantity& q : quantities) {
+    json["quantities"].push_back({{"name", q.name},
+                                  {"unit", q.unit},
+                                  {"meaning", q.meaning},
+                                  {"title", q.title},
+                                  {"shown_unit", q.shown_unit},
+                                  {"shown_scale", q.shown_scale},
+                                  {"axis", {{"low", q.axis.low}, {"high", q.axis.high}, {"most", q.axis.most}}}});
   }
   json["script"] = data.script;
   json["books"] = Json::array();

@@ -7,7 +7,8 @@
 //   clip                          frames, fps, time_per_frame, substeps; first_frame and drawn_frames: what is filmed
 //   met                           true when every expectation is met
 //   expectations                  says, text, met, found, frame: one for each bound
-//   quantities                    name, unit, meaning
+//   quantities                    name, unit, meaning; for a chart: title, shown_unit, shown_scale (shown / value), axis
+//                                 (low, high: shown, what it holds whatever the data; most: what cannot be exceeded or 0)
 //   books                         name, method, exploded_frame (null: never), and data: one list a quantity, one number
 //                                 a frame, 7 significant digits, null where there is no number
 #pragma once

@@ -1,26 +1,25 @@
 #include "film/overlays.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "dynamics/rigid_book.h"
 #include "dynamics/shape.h"
-#include "scene/quantities.h"
+#include "image/color.h"
 
 namespace bookspin {
 namespace {
 
 constexpr std::array axis_colors{palette::orange, palette::sky, palette::green};
-constexpr int trace_frames = 240;     // how long the trace stays, fading
-constexpr double trace_reach = 1.25;  // all reaches in lengths of half the book's diagonal
-constexpr double arrow_reach = 1.4;
+constexpr int trace_frames = 240;      // how long the trace stays, fading
+constexpr double trace_length = 1.25;  // all lengths in those of half the book's diagonal
+constexpr double arrow_length = 1.4;
 constexpr double axis_beyond_cover = 0.42;
 constexpr double full_strain = 0.1;  // a spring longer by this share has the full colour
 
-void add_axes(Shot& shot, const BookSetup& setup, const BookFrame& now) {
+void add_axes(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame) {
+  const BookFrame& now = track.shown(frame);
   const double unit = body_of(setup.options).reach;
   const Eigen::Matrix3d F_WB = deformation(now.corners_W, body_of(setup.options).corners_B);
   for (int d = 0; d < 3; ++d) {
@@ -40,7 +39,7 @@ void add_arrow(Shot& shot, const BookSetup& setup, const Eigen::Vector3d& vector
                const char* name, double below) {
   const double unit = body_of(setup.options).reach;
   if (!(full > 0.0)) return;
-  const Eigen::Vector3d tip_W = vector * (arrow_reach * unit / full);
+  const Eigen::Vector3d tip_W = vector * (arrow_length * unit / full);
   shot.arrows.push_back({setup.position_W, setup.position_W + tip_W, color, 0.02 * unit});
   Label label = make_label(name, 0.05, color, {0.0, below});
   label.weight = Weight::semibold;
@@ -48,13 +47,17 @@ void add_arrow(Shot& shot, const BookSetup& setup, const Eigen::Vector3d& vector
   shot.labels.push_back(label);
 }
 
-Eigen::Vector3d angular_velocity_of(const BookSetup& setup, const BookFrame& now) {
-  const Eigen::Vector3d I_B = body_of(setup.options).I_B;
-  return angular_velocity_W(now.q_WB.toRotationMatrix(), I_B, now.L_W);
+// The two arrows often point the same way: one name stands above its tip, one below.
+void add_angular_velocity(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame) {
+  add_arrow(shot, setup, track.shown(frame).omega_W, track.frames.front().omega_W.norm(), palette::sky, "ω", -0.01);
+}
+
+void add_angular_momentum(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame) {
+  add_arrow(shot, setup, track.shown(frame).L_W, track.frames.front().L_W.norm(), palette::purple, "L", 0.045);
 }
 
 void add_trace(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame) {
-  const Eigen::Vector3d axis_B = setup.options.omega_W.normalized() * (trace_reach * body_of(setup.options).reach);
+  const Eigen::Vector3d axis_B = setup.options.omega_W.normalized() * (trace_length * body_of(setup.options).reach);
   const auto tip_W = [&](int n) { return Eigen::Vector3d(setup.position_W + track.shown(n).q_WB * axis_B); };
   const int first = std::max(0, frame - trace_frames);
   for (int n = first; n < frame; ++n) {
@@ -68,7 +71,8 @@ std::uint8_t mix(std::uint8_t from, std::uint8_t to, double share) {
   return static_cast<std::uint8_t>(std::lround(from + (to - from) * share));
 }
 
-void add_springs(Shot& shot, const BookSetup& setup, const BookFrame& now) {
+void add_springs(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame) {
+  const BookFrame& now = track.shown(frame);
   const Corners corners_B = body_of(setup.options).corners_B;
   for (int i = 0; i < 8; ++i) {
     for (int j = i + 1; j < 8; ++j) {
@@ -82,6 +86,28 @@ void add_springs(Shot& shot, const BookSetup& setup, const BookFrame& now) {
           {setup.position_W + now.corners_W.col(i), setup.position_W + now.corners_W.col(j), color, 2.0});
     }
   }
+}
+
+struct Drawing {
+  Overlay id;
+  void (*add)(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame);
+  double reach;  // from the book's center in any frame, its label too; as_its_labels: as far as those, frame by frame
+};
+
+constexpr double as_its_labels = -1.0;
+
+constexpr std::array drawings{Drawing{Overlay::axes, add_axes, as_its_labels},
+                              Drawing{Overlay::angular_velocity, add_angular_velocity, arrow_length + 0.2},
+                              Drawing{Overlay::angular_momentum, add_angular_momentum, arrow_length + 0.2},
+                              Drawing{Overlay::trace, add_trace, trace_length + 0.02},
+                              Drawing{Overlay::springs, add_springs, 0.0}};
+
+static_assert(drawings.size() == overlay_names.size());
+static_assert(std::all_of(drawings.begin(), drawings.end(),
+                          [](const Drawing& row) { return row.id == static_cast<Overlay>(&row - drawings.data()); }));
+
+const Drawing& drawing(Overlay overlay) {
+  return drawings[static_cast<std::size_t>(overlay)];
 }
 
 }  // namespace
@@ -98,29 +124,24 @@ Label make_label(const std::string& text, double height, const Color& color, con
 }
 
 void add_overlays(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame) {
-  const BookFrame& now = track.shown(frame);
-  const BookFrame& start = track.frames.front();
-  if (setup.show.axes) add_axes(shot, setup, now);
-  if (setup.show.angular_velocity) {
-    add_arrow(shot, setup, angular_velocity_of(setup, now), angular_velocity_of(setup, start).norm(), palette::sky, "ω",
-              -0.01);  // the two often point the same way: one name above, one below
+  for (const Overlay overlay : setup.show) drawing(overlay).add(shot, setup, track, frame);
+}
+
+std::vector<Sphere> overlay_reach(const BookSetup& setup, const BookTrack& track) {
+  const double unit = body_of(setup.options).reach;
+  std::vector<Sphere> spheres;
+  bool labels_decide = false;
+  for (const Overlay overlay : setup.show) {
+    const double reach = drawing(overlay).reach;
+    labels_decide = labels_decide || reach == as_its_labels;
+    if (reach > 0.0) spheres.push_back({setup.position_W, reach * unit});
   }
-  if (setup.show.angular_momentum) add_arrow(shot, setup, now.L_W, start.L_W.norm(), palette::purple, "L", 0.045);
-  if (setup.show.trace) add_trace(shot, setup, track, frame);
-  if (setup.show.springs) add_springs(shot, setup, now);
-}
-
-double overlay_reach(const BookSetup& setup) {
-  double reach = 0.0;
-  if (setup.show.trace) reach = std::max(reach, trace_reach + 0.02);
-  if (setup.show.angular_velocity || setup.show.angular_momentum) reach = std::max(reach, arrow_reach + 0.2);
-  return reach * body_of(setup.options).reach;
-}
-
-std::string head_up_text(const Quantity& quantity, const BookFrame& frame) {
-  const double value = quantity.of(frame);
-  return fmt::format("{} {}", quantity.symbol,
-                     std::isfinite(value) ? fmt::format(fmt::runtime(quantity.format), value) : "–");
+  for (std::size_t n = 0; labels_decide && n < track.frames.size(); ++n) {
+    Shot shot;
+    add_overlays(shot, setup, track, static_cast<int>(n));
+    for (const Label& label : shot.labels) spheres.push_back({*label.anchor_W, 0.12 * unit});
+  }
+  return spheres;
 }
 
 }  // namespace bookspin

@@ -8,7 +8,8 @@
 #include <limits>
 
 #include "film/overlays.h"
-#include "scene/quantities.h"
+#include "image/color.h"
+#include "render/camera.h"
 
 namespace bookspin {
 namespace {
@@ -23,21 +24,6 @@ constexpr double title_height = 0.04;
 constexpr double figure_height = 0.035;
 constexpr double line_height = 0.05;
 
-struct Sphere {
-  Eigen::Vector3d center_W;
-  double radius;
-};
-
-struct CameraAxes {
-  Eigen::Vector3d right_W, up_W, back_W;
-};
-
-CameraAxes camera_axes(const Eigen::Vector3d& from_W) {
-  const Eigen::Vector3d back_W = from_W.normalized();
-  const Eigen::Vector3d right_W = Eigen::Vector3d::UnitY().cross(back_W).normalized();
-  return {right_W, back_W.cross(right_W), back_W};
-}
-
 // The camera from which all spheres lie inside the four side planes of the picture.
 Camera camera_that_frames(const std::vector<Sphere>& spheres, const Eigen::Vector3d& from_W, double aspect) {
   Eigen::AlignedBox3d box;
@@ -45,14 +31,15 @@ Camera camera_that_frames(const std::vector<Sphere>& spheres, const Eigen::Vecto
   Camera camera;
   camera.vertical_fov = vertical_fov;
   camera.target_W = box.center();
-  const CameraAxes axes = camera_axes(from_W);
+  const Eigen::Matrix3d R_CW = camera_axes(from_W);
+  const Eigen::Vector3d back_W = R_CW.row(2).transpose();
   const double tan_half = std::tan(vertical_fov / 2.0);
   double distance = 0.0;
   // Per direction: how far the spheres reach towards the two side planes that face along +-axis, were the eye at the
   // target.
   const auto frame_along = [&](const Eigen::Vector3d& axis_W, double half) {
     const auto reach = [&](double sign) {
-      const Eigen::Vector3d outward_W = sign * std::cos(half) * axis_W + std::sin(half) * axes.back_W;
+      const Eigen::Vector3d outward_W = sign * std::cos(half) * axis_W + std::sin(half) * back_W;
       double farthest = -std::numeric_limits<double>::infinity();
       for (const Sphere& s : spheres) {
         farthest = std::max(farthest, outward_W.dot(s.center_W - camera.target_W) + margin * s.radius);
@@ -64,15 +51,21 @@ Camera camera_that_frames(const std::vector<Sphere>& spheres, const Eigen::Vecto
     camera.target_W += axis_W * ((plus - minus) / (2.0 * std::cos(half)));  // as much room on one side as on the other
     distance = std::max(distance, (plus + minus) / (2.0 * std::sin(half)));
   };
-  frame_along(axes.right_W, std::atan(aspect * tan_half));
-  frame_along(axes.up_W, std::atan(middle_band * tan_half));
-  camera.eye_W = camera.target_W + distance * axes.back_W;
+  frame_along(R_CW.row(0).transpose(), std::atan(aspect * tan_half));
+  frame_along(R_CW.row(1).transpose(), std::atan(middle_band * tan_half));
+  camera.eye_W = camera.target_W + distance * back_W;
   return camera;
 }
 
 // Below the book in the picture: along the camera's down, not the world's.
 Eigen::Vector3d name_anchor_W(const Scene& scene, const BookSetup& setup) {
-  return setup.position_W - camera_axes(scene.view.from).up_W * (name_offset * body_of(setup.options).reach);
+  const Eigen::Vector3d up_W = camera_axes(scene.view.from).row(1).transpose();
+  return setup.position_W - up_W * (name_offset * body_of(setup.options).reach);
+}
+
+// "E/E₀ 1.003"
+std::string head_up_text(const Quantity& q, double value) {
+  return fmt::format("{} {}", q.symbol, std::isfinite(value) ? fmt::format(fmt::runtime(q.format), value) : "–");
 }
 
 }  // namespace
@@ -83,18 +76,15 @@ Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, double 
   last_moving_frame_ = 0;
   for (std::size_t b = 0; b < scene.books.size(); ++b) {
     const BookSetup& setup = scene.books[b];
+    const BookTrack& track = trajectory.books[b];
     const double unit = body_of(setup.options).reach;
-    last_moving_frame_ = std::max(last_moving_frame_, trajectory.books[b].exploded_frame.value_or(scene.clip.frames));
+    last_moving_frame_ = std::max(last_moving_frame_, track.exploded_frame.value_or(scene.clip.frames));
     double farthest = 1.0;
-    for (int n = 0; n < scene.clip.frames; ++n) farthest = std::max(farthest, trajectory.books[b].shown(n).extent);
-    spheres.push_back({setup.position_W, std::max(farthest * unit, overlay_reach(setup))});
+    for (int n = 0; n < scene.clip.frames; ++n) farthest = std::max(farthest, track.shown(n)[Q::extent]);
+    spheres.push_back({setup.position_W, farthest * unit});
     if (!setup.name.empty()) spheres.push_back({name_anchor_W(scene, setup), 0.1 * unit});
-    if (!setup.show.axes) continue;
-    for (int n = 0; n < scene.clip.frames; ++n) {
-      Shot shot;
-      add_overlays(shot, setup, trajectory.books[b], n);
-      for (const Label& label : shot.labels) spheres.push_back({*label.anchor_W, 0.12 * unit});
-    }
+    const std::vector<Sphere> overlays = overlay_reach(setup, track);
+    spheres.insert(spheres.end(), overlays.begin(), overlays.end());
   }
   camera_ = camera_that_frames(spheres, scene.view.from, aspect);
 }
@@ -102,7 +92,7 @@ Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, double 
 Shot Storyboard::shot(int frame) const {
   Shot shot;
   shot.camera = camera_;
-  shot.labels.push_back(make_label(scene_->title, title_height, palette::grey, {left_edge, title_y}, Align::left));
+  shot.labels.push_back(make_label(scene_->title, title_height, palette::gray, {left_edge, title_y}, Align::left));
   std::string notice;
   for (std::size_t b = 0; b < scene_->books.size(); ++b) {
     const BookSetup& setup = scene_->books[b];
@@ -134,8 +124,7 @@ Shot Storyboard::shot(int frame) const {
 // Below the title, the time and the figures that the script names; for several books below each book's name. Never at
 // the bottom left, where a browser's controls lie over them.
 void Storyboard::add_head_up(Shot& shot, int frame, double y) const {
-  const std::vector<const Quantity*>& quantities = scene_->view.head_up;
-  if (quantities.empty()) return;
+  if (scene_->view.head_up.empty()) return;
   const auto add = [&shot](const std::string& text, const Eigen::Vector2d& position, Align align) -> Label& {
     shot.labels.push_back(make_label(text, figure_height, palette::light, position, align));
     shot.labels.back().tabular = true;
@@ -150,8 +139,8 @@ void Storyboard::add_head_up(Shot& shot, int frame, double y) const {
     if (setup.style == Style::ghost && scene_->books.size() > 1) continue;
     const BookFrame& now = trajectory_->books[b].shown(frame);
     double below_name = 0.0;
-    for (const Quantity* quantity : quantities) {
-      const std::string text = head_up_text(*quantity, now);
+    for (const Q q : scene_->view.head_up) {
+      const std::string text = head_up_text(quantity(q), now[q]);
       if (one) {
         add(text, {left_edge, y += line_height}, Align::left);
       } else {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -17,30 +16,6 @@ constexpr int most_buckets = 180;  // of time in a curve, each with at most two 
 constexpr double log_from = 30.0;  // growth from which the axis is logarithmic
 constexpr int colors = 5;
 constexpr double most_shown = 1e100;  // so that an axis of the largest numbers does not overflow
-
-// How a quantity is shown: what its axis must hold whatever the data, so that a quantity that stays put is seen to.
-struct Look {
-  const char* quantity;
-  const char* title;
-  const char* unit;
-  double scale;  // shown value / value in the data
-  double low;    // shown
-  double high;   // shown
-  double most;   // shown; what cannot be exceeded, 0: nothing. From its half on the axis shows it all
-};
-
-constexpr std::array looks{
-    Look{"tilt", "Tilt of the spin axis", "°", 1.0, 0.0, 5.0, 180.0},
-    Look{"stretch", "Stretch", "%", 100.0, 0.0, 1.0, 0.0},
-    Look{"energy_ratio", "Energy E/E₀", "", 1.0, 0.95, 1.05, 0.0},
-    Look{"angular_momentum_ratio", "Angular momentum |L|/|L₀|", "", 1.0, 0.95, 1.05, 0.0},
-    Look{"angle_error", "Error of the orientation", "rad", 1.0, 0.0, 0.1, 3.14},
-    Look{"norm", "Norm |q| of the quaternion", "", 1.0, 0.98, 1.02, 0.0},
-    Look{"largest_singular_value", "Size, where the book has grown most", "", 1.0, 0.95, 1.05, 0.0},
-    Look{"extent", "Farthest corner, relative to rest", "", 1.0, 0.95, 1.05, 0.0},
-    Look{"pulsations", "Pulsations so far", "", 1.0, 0.0, 1.0, 0.0},
-    Look{"flips", "Flips so far", "", 1.0, 0.0, 1.0, 0.0},
-};
 
 struct Curve {
   std::string label;
@@ -73,25 +48,22 @@ std::vector<std::string> split(std::string_view text, char at) {
   return parts;
 }
 
-// The look of a quantity; one that this file does not know is shown under its own name and as it is.
-Look look_of(const std::string& quantity, const FilmRecord& film) {
-  const auto* known = std::find_if(looks.begin(), looks.end(), [&](const Look& l) { return quantity == l.quantity; });
-  if (known != looks.end()) return *known;
+const FilmRecord::Quantity& quantity_of(const FilmRecord& film, const std::string& name) {
   for (const FilmRecord::Quantity& q : film.quantities) {
-    if (q.name == quantity) return {q.name.c_str(), q.name.c_str(), q.unit.c_str(), 1.0, HUGE_VAL, -HUGE_VAL, 0.0};
+    if (q.name == name) return q;
   }
-  throw std::invalid_argument(fmt::format("chart: found quantity '{}', which the film does not have", quantity));
+  throw std::invalid_argument(fmt::format("chart: found quantity '{}', which the film does not have", name));
 }
 
-Curve curve_of(const FilmRecord& film, const FilmRecord::Book& book, const Look& look) {
+Curve curve_of(const FilmRecord& film, const FilmRecord::Book& book, const FilmRecord::Quantity& q) {
   const int first = film.first_frame;
   const int end = std::min(book.exploded_frame.value_or(film.frames), first + film.drawn_frames);
   Curve curve;
   curve.values.assign(static_cast<std::size_t>(film.drawn_frames), std::nan(""));
-  const auto values = book.data.find(look.quantity);
+  const auto values = book.data.find(q.name);
   if (values == book.data.end()) return curve;
   for (int n = first; n < end; ++n) {
-    const double value = values->second[static_cast<std::size_t>(n)] * look.scale;
+    const double value = values->second[static_cast<std::size_t>(n)] * q.scale;
     curve.values[static_cast<std::size_t>(n - first)] =
         std::isnan(value) ? value : std::clamp(value, -most_shown, most_shown);
   }
@@ -199,21 +171,21 @@ Json panel_of(const FilmRecord& film, const std::string& names) {
   double high = -HUGE_VAL;
   double most = 0.0;
   std::string title;
-  for (const std::string& quantity : quantities) {
-    const Look look = look_of(quantity, film);
-    low = std::min(low, look.low);
-    high = std::max(high, look.high);
-    title += (title.empty() ? "" : ", ") + std::string(look.title);
-    panel["unit"] = look.unit;
-    most = look.most;
+  for (const std::string& name : quantities) {
+    const FilmRecord::Quantity& q = quantity_of(film, name);
+    low = std::min(low, q.low);
+    high = std::max(high, q.high);
+    title += (title.empty() ? "" : ", ") + q.title;
+    panel["unit"] = q.unit;
+    most = q.most;
     int index = many_books ? 0 : static_cast<int>(curves.size());
     for (const FilmRecord::Book& book : film.books) {
-      Curve curve = curve_of(film, book, look);
+      Curve curve = curve_of(film, book, q);
       curve.color = index++ % colors;
-      curve.label = many_books ? book.name : look.title;
-      if (many_books && quantities.size() > 1) curve.label += ", " + std::string(look.title);
+      curve.label = many_books ? book.name : q.title;
+      if (many_books && quantities.size() > 1) curve.label += ", " + q.title;
       // The exact book's own error is no news.
-      const bool dull = quantity == "angle_error" && book.method == "exact";
+      const bool dull = name == "angle_error" && book.method == "exact";
       const bool empty = std::all_of(curve.values.begin(), curve.values.end(), [](double v) { return std::isnan(v); });
       if (!dull && !empty) curves.push_back(std::move(curve));
     }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -69,6 +70,10 @@ class Value {
   [[nodiscard]] std::optional<int> whole_number_or_null(int low, int high) const {
     if (json_->is_null()) return {};
     return whole_number(low, high);
+  }
+  [[nodiscard]] double number() const {
+    if (!json_->is_number() || !std::isfinite(json_->get<double>())) refuse("a number");
+    return json_->get<double>();
   }
   // One number an entry, NaN for null.
   [[nodiscard]] std::vector<double> numbers(int count) const {
@@ -162,10 +167,20 @@ std::optional<FilmRecord> read_film_record(const fs::path& file) {
                                    e["frame"].whole_number(0, film.frames - 1)};
   });
   film.quantities = root["quantities"].list([](const Value& q) {
-    return FilmRecord::Quantity{q["name"].text(), q["unit"].text()};
+    return FilmRecord::Quantity{q["name"].text(),          q["title"].text(),         q["shown_unit"].text(),
+                                q["shown_scale"].number(), q["axis"]["low"].number(), q["axis"]["high"].number(),
+                                q["axis"]["most"].number()};
   });
   film.books = root["books"].list([&film](const Value& book) { return read_book(book, film.frames); });
   if (film.books.empty()) root["books"].refuse("at least one");
+  for (const FilmRecord::Book& book : film.books) {
+    for (const auto& [name, values] : book.data) {
+      const auto is_named = [&name](const FilmRecord::Quantity& q) { return q.name == name; };
+      if (std::none_of(film.quantities.begin(), film.quantities.end(), is_named)) {
+        root["quantities"].fail(fmt::format("none has the name {}, of which there are data", name));
+      }
+    }
+  }
   return film;
 }
 

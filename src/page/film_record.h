@@ -22,9 +22,14 @@ struct FilmRecord {
     bool met = false;
     int frame = 0;  // in which it was decided
   };
-  struct Quantity {
+  struct Quantity {  // and how a chart shows it
     std::string name;
-    std::string unit;
+    std::string title;
+    std::string unit;    // of what is shown
+    double scale = 1.0;  // shown / value
+    double low = 0.0;    // shown, to here the axis reaches whatever the data
+    double high = 0.0;
+    double most = 0.0;  // shown, what cannot be exceeded; 0: nothing. From its half on the axis shows it all
   };
   struct Book {
     std::string name;  // as shown among others: its method, if the script gives it no name

@@ -13,19 +13,22 @@ constexpr double drawable_share = 1e6;
 
 }  // namespace
 
+Eigen::Matrix3d camera_axes(const Eigen::Vector3d& from_W) {
+  const Eigen::Vector3d back_W = from_W.normalized();
+  const Eigen::Vector3d right_W = Eigen::Vector3d::UnitY().cross(back_W).normalized();
+  Eigen::Matrix3d R_CW;
+  R_CW << right_W.transpose(), back_W.cross(right_W).transpose(), back_W.transpose();
+  return R_CW;
+}
+
 View::View(const Camera& camera, int width, int height)
     : width_(width),
       height_(height),
       eye_W_(camera.eye_W),
       distance_((camera.eye_W - camera.target_W).norm()),
-      near_(near_share * distance_) {
+      near_(near_share * distance_),
+      R_CW_(camera_axes(camera.eye_W - camera.target_W)) {
   assert(distance_ > 0 && camera.vertical_fov > 0);
-  const Eigen::Vector3d back = (camera.eye_W - camera.target_W) / distance_;
-  const Eigen::Vector3d right = Eigen::Vector3d::UnitY().cross(back).normalized();
-  R_CW_.row(0) = right;
-  R_CW_.row(1) = back.cross(right);
-  R_CW_.row(2) = back;
-
   const double focal = 1 / std::tan(camera.vertical_fov / 2);
   clip_from_unit_camera_.setZero();
   clip_from_unit_camera_(0, 0) = focal * height / width;

@@ -20,6 +20,10 @@ struct PixelPoint {
   double depth = 0;  // world units in front of the eye; behind it: negative, and x, y mean nothing
 };
 
+// R_CW, world to camera (x right, y up, z towards the eye), of a camera whose eye lies in the direction from_W of its
+// target, any length > 0.
+[[nodiscard]] Eigen::Matrix3d camera_axes(const Eigen::Vector3d& from_W);
+
 class View {
  public:
   View(const Camera& camera, int width, int height);
@@ -27,9 +31,7 @@ class View {
   [[nodiscard]] const Eigen::Matrix4d& clip_from_world() const { return clip_from_world_; }
   // The same from the camera frame in units of distance().
   [[nodiscard]] const Eigen::Matrix4d& clip_from_unit_camera() const { return clip_from_unit_camera_; }
-  [[nodiscard]] const Eigen::Matrix3d& R_CW() const {
-    return R_CW_;
-  }  // world to camera: x right, y up, z towards the eye
+  [[nodiscard]] const Eigen::Matrix3d& R_CW() const { return R_CW_; }  // see camera_axes
   [[nodiscard]] const Eigen::Vector3d& eye_W() const { return eye_W_; }
   [[nodiscard]] double distance() const { return distance_; }  // eye to target
   [[nodiscard]] double near() const { return near_; }

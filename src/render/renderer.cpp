@@ -8,11 +8,11 @@
 #include <optional>
 #include <vector>
 
+#include "render/arrows_and_lines.h"
 #include "render/books.h"
 #include "render/camera.h"
 #include "render/context.h"
 #include "render/frame_buffer.h"
-#include "render/overlays.h"
 #include "render/text.h"
 
 namespace bookspin {
@@ -62,7 +62,7 @@ struct Renderer::Parts {
   Context context;
   FrameBuffer frame_buffer;
   BookPainter books;
-  OverlayPainter overlays;
+  ArrowAndLinePainter arrows_and_lines;
   TextPainter text;
   Image scene;    // without labels
   Image picture;  // with them
@@ -74,7 +74,7 @@ struct Renderer::Parts {
       : context(kind),
         frame_buffer(context.gl(), width, height),
         books(context.gl(), assets),
-        overlays(context.gl(), assets),
+        arrows_and_lines(context.gl(), assets),
         scene(width, height),
         picture(width, height) {}
 
@@ -105,7 +105,7 @@ Footprint Renderer::Parts::find_footprint(const Shot& next, const View& view) {
     for (int i = 0; i < 8; ++i) corners[static_cast<std::size_t>(i)] = book.corners_W.col(i);
     result.books.push_back(bounds(corners, margin_px));
   }
-  for (const Arrow& arrow : next.arrows) result.arrows.push_back(bounds(OverlayPainter::hull(arrow), margin_px));
+  for (const Arrow& arrow : next.arrows) result.arrows.push_back(bounds(ArrowAndLinePainter::hull(arrow), margin_px));
   for (const Line& line : next.lines) {
     result.lines.push_back(bounds(std::array{line.from_W, line.to_W}, margin_px + line.width_px));
   }
@@ -132,13 +132,13 @@ void Renderer::Parts::draw_scene(const Shot& next, const Footprint& next_footpri
       books.draw_solid(view, next.books[i].corners_W, next_footprint.needs_depth);
   }
   for (std::size_t i = 0; i < next.arrows.size(); ++i) {
-    if (touched(next_footprint.arrows[i])) overlays.draw_arrow(view, next.arrows[i]);
+    if (touched(next_footprint.arrows[i])) arrows_and_lines.draw_arrow(view, next.arrows[i]);
   }
   std::vector<Line> lines;
   for (std::size_t i = 0; i < next.lines.size(); ++i) {
     if (touched(next_footprint.lines[i])) lines.push_back(next.lines[i]);
   }
-  overlays.draw_lines(view, scene.width, scene.height, lines);
+  arrows_and_lines.draw_lines(view, scene.width, scene.height, lines);
   for (std::size_t i = 0; i < next.books.size(); ++i) {
     const bool ghost = next.books[i].style == BookStyle::ghost;
     if (ghost && touched(next_footprint.books[i])) books.draw_ghost(view, next.books[i].corners_W);

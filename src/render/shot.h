@@ -1,26 +1,20 @@
 // What one frame shows: plain data, equal shots give equal pictures.
 //
-// W is the world frame (the scene's unit of length), its +y up in the picture. Colours are sRGB as one would write them
+// W is the world frame (the scene's unit of length), its +y up in the picture. Colors are sRGB as one would write them
 // in a style sheet; alpha is straight. Items are drawn in this order: solid books, arrows, lines (all hiding one
 // another by depth), then ghosts (translucent, over everything behind or before them), then labels. A book, arrow or
 // line with a coordinate that is not finite, or beyond 1e6 camera distances, is not drawn.
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "dynamics/corners.h"
+#include "image/color.h"
 
 namespace bookspin {
-
-struct Color {
-  std::uint8_t r = 0, g = 0, b = 0;  // sRGB
-  std::uint8_t a = 255;              // 0 transparent ... 255 opaque
-  bool operator==(const Color&) const = default;
-};
 
 struct Camera {
   Eigen::Vector3d eye_W{0, 0, 8};     // never straight above or below the target

@@ -201,8 +201,8 @@ Table what_normalization_hides(const Scene& scene) {
   const std::vector<BookFrame>& frames = trajectory.books.front().frames;
   for (std::size_t n = 0; n < frames.size(); ++n) {
     const BookFrame& f = frames[n];
-    table.rows.push_back({static_cast<double>(n) * scene.clip.time_per_frame, f.energy_ratio, f.angular_momentum_ratio,
-                          f.stretch, static_cast<double>(f.floor_hits)});
+    table.rows.push_back({static_cast<double>(n) * scene.clip.time_per_frame, f[Q::energy_ratio],
+                          f[Q::angular_momentum_ratio], f[Q::stretch], f[Q::floor_hits]});
   }
   return table;
 }

@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "scene/quantities.h"
-
 namespace bookspin {
 namespace {
 
@@ -32,8 +30,9 @@ Verdict judge_bound(const Expectation& e, const Bound& bound, const std::vector<
   verdict.says = e.says;
   const std::string range =
       e.first_frame == last ? fmt::format("in frame {}", last) : fmt::format("in frames {} to {}", e.first_frame, last);
-  const std::string wanted = fmt::format("{} {} {:g}{}{}", e.quantity->name, bound.words, bound.value,
-                                         e.quantity->unit.empty() ? "" : " ", e.quantity->unit);
+  const Quantity& q = quantity(e.quantity);
+  const std::string wanted =
+      fmt::format("{} {} {:g}{}{}", q.name, bound.words, bound.value, q.unit.empty() ? "" : " ", q.unit);
   if (e.first_frame >= end || last >= end) {
     verdict.found = std::nan("");
     verdict.frame = end - 1;
@@ -43,10 +42,10 @@ Verdict judge_bound(const Expectation& e, const Bound& bound, const std::vector<
   // The value that decides is the smallest for "at least" and "falls to", else the largest; for bounds on every frame a
   // NaN decides.
   const bool smallest = bound.from_below == bound.every;
-  verdict.found = e.quantity->of(frames[static_cast<std::size_t>(e.first_frame)]);
+  verdict.found = frames[static_cast<std::size_t>(e.first_frame)][e.quantity];
   verdict.frame = e.first_frame;
   for (int n = e.first_frame + 1; n <= last; ++n) {
-    const double value = e.quantity->of(frames[static_cast<std::size_t>(n)]);
+    const double value = frames[static_cast<std::size_t>(n)][e.quantity];
     const bool worse = smallest ? value < verdict.found : value > verdict.found;
     const bool nan_decides =
         bound.every ? std::isnan(value) && !std::isnan(verdict.found) : !std::isnan(value) && std::isnan(verdict.found);

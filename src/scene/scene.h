@@ -5,12 +5,16 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dynamics/book.h"
+#include "scene/quantities.h"
 
 namespace bookspin {
 
@@ -24,21 +28,24 @@ struct Clip {
   int substeps = 6;             // integration steps per frame, 1 ... 1000000; the step is h = time_per_frame / substeps
 };
 
-struct Quantity;  // scene/quantities.h
-
 struct ViewSetup {
   Eigen::Vector3d from{0.35, 0.3, 1.0};  // direction from the origin to the camera, world frame, any length > 0
-  std::vector<const Quantity*> head_up;  // shown with the time while the film runs; none: no time either
+  std::vector<Q> head_up;                // shown with the time while the film runs; none: no time either
 };
 
-// What is drawn with a book, beside the book itself.
-struct Show {
-  bool axes = false;              // body axes, labelled x, y, z
-  bool angular_velocity = false;  // arrow
-  bool angular_momentum = false;  // arrow
-  bool trace = false;    // the path of the tip of the spin axis (the one that tilt is measured of), fading with age
-  bool springs = false;  // all 28, coloured by tension
+// What can be drawn with a book, beside the book itself, in this order; how: film/overlays.cpp.
+enum class Overlay {
+  axes,              // body axes, labelled x, y, z
+  angular_velocity,  // arrow
+  angular_momentum,  // arrow
+  trace,             // the path of the tip of the spin axis (the one that tilt is measured of), fading with age
+  springs,           // all 28, colored by tension
+  count
 };
+
+inline constexpr std::array<std::string_view, 5> overlay_names{"axes", "angular_velocity", "angular_momentum", "trace",
+                                                               "springs"};
+static_assert(overlay_names.size() == static_cast<std::size_t>(Overlay::count));
 
 struct BookSetup {
   std::string name;  // printed under the book and in the data; may be empty
@@ -47,19 +54,19 @@ struct BookSetup {
   double jiggle = 0.0;  // length of the seeded vector added to omega_W, in units of |omega_W|, 0 ... 1
   Eigen::Vector3d position_W = Eigen::Vector3d::Zero();  // where it is drawn; the motion itself is about the origin
   Style style = Style::solid;
-  Show show;
+  std::set<Overlay> show;
 };
 
 struct Expectation {
-  std::string says;                    // what the caption claims, in words
-  const Quantity* quantity = nullptr;  // what is measured
-  int book = 0;                        // index of the book
-  int first_frame = 0;                 // judged from this frame
-  std::optional<int> last_frame;       // to this one, included; none: to the end
-  std::optional<double> at_least;      // bound for every frame
-  std::optional<double> at_most;       // bound for every frame
-  std::optional<double> rises_to;      // reached or passed upwards by some frame
-  std::optional<double> falls_to;      // reached or passed downwards by some frame
+  std::string says;                // what the caption claims, in words
+  Q quantity = Q::tilt;            // what is measured
+  int book = 0;                    // index of the book
+  int first_frame = 0;             // judged from this frame
+  std::optional<int> last_frame;   // to this one, included; none: to the end
+  std::optional<double> at_least;  // bound for every frame
+  std::optional<double> at_most;   // bound for every frame
+  std::optional<double> rises_to;  // reached or passed upwards by some frame
+  std::optional<double> falls_to;  // reached or passed downwards by some frame
 };
 
 struct Scene {

@@ -12,7 +12,6 @@
 #include "files/files.h"
 #include "scene/any_book.h"
 #include "scene/override.h"
-#include "scene/quantities.h"
 #include "scene/table_reader.h"
 #include "scene/toml.h"
 
@@ -35,7 +34,7 @@ Range signed_number() {
 
 std::vector<std::string_view> quantity_names() {
   std::vector<std::string_view> names;
-  for (const Quantity& q : quantities()) names.push_back(q.name);
+  for (const Quantity& q : quantities) names.push_back(q.name);
   return names;
 }
 
@@ -61,7 +60,7 @@ void read_view(TableReader& scene_reader, ViewSetup& view) {
     reader.fail(*reader.node("from"), "from", "a direction that does not point straight up or down: x or z not 0");
   }
   const std::vector<std::string_view> names = quantity_names();
-  for (const std::size_t i : reader.read_words("head_up", names)) view.head_up.push_back(&quantities()[i]);
+  for (const std::size_t i : reader.read_words("head_up", names)) view.head_up.push_back(quantities[i].id);
   reader.done();
 }
 
@@ -78,18 +77,6 @@ void read_damping(TableReader& reader, double& damping) {
     reader.fail(*node, "damping", "true, false, or a number from 0 to 1000");
   }
   damping = *value;
-}
-
-void read_show(TableReader& reader, Show& show) {
-  const std::array<std::pair<std::string_view, bool*>, 5> parts{{{"axes", &show.axes},
-                                                                 {"angular_velocity", &show.angular_velocity},
-                                                                 {"angular_momentum", &show.angular_momentum},
-                                                                 {"trace", &show.trace},
-                                                                 {"springs", &show.springs}}};
-  std::vector<std::string_view> words;
-  words.reserve(parts.size());
-  for (const auto& [word, flag] : parts) words.push_back(word);
-  for (const std::size_t i : reader.read_words("show", words)) *parts[i].second = true;
 }
 
 // One that the method takes, with the damping that the book has.
@@ -135,7 +122,7 @@ BookSetup read_book(const toml::table& table, const std::string& path) {
   reader.read("particle_mass", o.particle_mass, positive());
   reader.read("position", book.position_W, signed_number());
   book.style = static_cast<Style>(reader.read_word("style", style_names, 0));
-  read_show(reader, book.show);
+  for (const std::size_t i : reader.read_words("show", overlay_names)) book.show.insert(static_cast<Overlay>(i));
   reader.done();
   return book;
 }
@@ -167,7 +154,7 @@ Expectation read_expectation(const toml::table& table, const std::string& path, 
   const std::vector<std::string_view> names = quantity_names();
   reader.read("says", e.says);
   if (!reader.has("quantity")) reader.fail_missing("quantity", fmt::format("one of {}", fmt::join(names, ", ")));
-  e.quantity = &quantities()[reader.read_word("quantity", names, 0)];
+  e.quantity = quantities[reader.read_word("quantity", names, 0)].id;
   reader.read("book", e.book, 0, books - 1);
   reader.node("frame");  // known, though most expectations give a range or nothing
   read_frames(reader, e);

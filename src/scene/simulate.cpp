@@ -9,76 +9,42 @@
 
 #include "dynamics/shape.h"
 #include "scene/any_book.h"
+#include "scene/counters.h"
 
 namespace bookspin {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double unit_norm = 4.0 * std::numeric_limits<double>::epsilon();  // a quaternion this near to 1 has norm 1
 
-// Counts the passages of a value between two levels: up through `high` after having been below `low`, and back.
-class Passages {
- public:
-  int count(double value, double low, double high) {
-    if (!upper_ && value > high) {
-      upper_ = true;
-      ++count_;
-    } else if (upper_ && value < low) {
-      upper_ = false;
-      ++count_;
-    }
-    return count_;
-  }
-
- private:
-  bool upper_ = false;
-  int count_ = 0;
-};
-
-// Counts swellings: a rise to 1.1 times the least value since the last one, then a fall to 1 / 1.1 of the largest.
-class Pulsations {
- public:
-  int count(double size) {
-    least_ = std::fmin(least_, size);
-    largest_ = std::fmax(largest_, size);
-    if (!swollen_ && size >= 1.1 * least_) {
-      swollen_ = true;
-      largest_ = size;
-    } else if (swollen_ && size <= largest_ / 1.1) {
-      swollen_ = false;
-      least_ = size;
-      ++count_;
-    }
-    return count_;
-  }
-
- private:
-  double least_ = 1.0;
-  double largest_ = 1.0;
-  bool swollen_ = false;
-  int count_ = 0;
-};
-
+// Where numbers have ended: the counts of the frame before, and nothing else.
 BookFrame non_finite_frame(const BookFrame& before) {
-  BookFrame f = before;
+  BookFrame f;
   f.corners_W.setConstant(nan);
   f.q_WB.coeffs().setConstant(nan);
   f.L_W.setConstant(nan);
-  for (double* value :
-       {&f.kinetic_energy, &f.elastic_energy, &f.energy_ratio, &f.angular_momentum_ratio, &f.stretch, &f.extent,
-        &f.tilt, &f.norm, &f.largest_singular_value, &f.orthogonality_defect, &f.blend_defect, &f.angle_error}) {
-    *value = nan;
-  }
-  f.exploded = true;
+  f.omega_W.setConstant(nan);
+  for (const Quantity& q : quantities) f[q.id] = q.count ? before[q.id] : nan;
+  f[Q::exploded] = 1.0;
   return f;
 }
 
 // Squares overflow long before the corners do: then the corners are still numbers, but what is measured on them is not.
-bool overflown(const BookFrame& f) {
-  for (const double value : {f.kinetic_energy, f.elastic_energy, f.L_W.x(), f.L_W.y(), f.L_W.z(), f.stretch,
-                             f.largest_singular_value, f.orthogonality_defect}) {
-    if (!std::isfinite(value)) return true;
+bool overflown(const BookFrame& f, const BookFrame& start) {
+  for (const Quantity& q : quantities) {
+    if (std::isinf(f[q.id]) || (std::isnan(f[q.id]) && !std::isnan(start[q.id]))) return true;
   }
-  return std::isinf(f.energy_ratio) || std::isinf(f.angular_momentum_ratio);  // 0 / 0 for a book that does not turn
+  return !f.L_W.allFinite() || !f.omega_W.allFinite();
+}
+
+// A quaternion of unit norm is the orientation, to the last digit. A book whose quaternion is not is deformed, as
+// springs and matrices are: then the rotation that is nearest to the deformation.
+template <class Book>
+Eigen::Quaterniond orientation(const Book& book, const Corners& corners_W, const Corners& corners_B) {
+  if constexpr (requires { book.q_WB(); }) {
+    if (std::abs(book.q_WB().norm() - 1.0) <= unit_norm) return book.q_WB().normalized();
+  }
+  return best_fit_orientation(corners_W, corners_B);
 }
 
 // Measures one book, frame after frame.
@@ -86,74 +52,77 @@ class Recorder {
  public:
   // `options`: those of the setup, with the jiggle in omega_W.
   Recorder(const BookSetup& setup, const BookOptions& options, std::size_t frames)
-      : corners_B_(body_of(options).corners_B), exact_(exact_motion(options)) {
-    const double speed = setup.options.omega_W.norm();
-    if (speed > 0.0) spin_axis_ = setup.options.omega_W / speed;
+      : body_(body_of(options)), exact_(exact_motion(options)), spin_axis_(setup.options.omega_W.normalized()) {
     track_.frames.reserve(frames);
   }
 
   template <class Book>
   void record(const Book& book, double t) {
     const bool first = track_.frames.empty();
-    const Corners& corners_W = book.corners_W();
-    const double extent_now = extent(corners_W, corners_B_);
-    if (!first && (!std::isfinite(extent_now) || !track_.frames.back().corners_W.allFinite())) {
+    BookFrame f;
+    f.corners_W = book.corners_W();
+    f[Q::extent] = extent(f.corners_W, body_.corners_B);
+    if (!first && (!std::isfinite(f[Q::extent]) || !track_.frames.back().corners_W.allFinite())) {
       push(non_finite_frame(track_.frames.back()));
       return;
     }
-    BookFrame f{};
-    f.corners_W = corners_W;
-    f.extent = extent_now;
-    f.exploded = f.extent > largest_extent || track_.exploded_frame.has_value();
-    f.q_WB = best_fit_orientation(corners_W, corners_B_);
+    f[Q::exploded] = f[Q::extent] > largest_extent || track_.exploded_frame ? 1.0 : 0.0;
+    f.q_WB = orientation(book, f.corners_W, body_.corners_B);
     if (!first && f.q_WB.dot(track_.frames.back().q_WB) < 0.0) f.q_WB.coeffs() = -f.q_WB.coeffs();
-    f.L_W = book.angular_momentum_W();
-    f.kinetic_energy = book.kinetic_energy();
-    f.norm = nan;
-    f.blend_defect = nan;
-    const Eigen::Matrix3d F_WB = deformation(corners_W, corners_B_);
-    if constexpr (std::is_same_v<Book, SpringBook>) {
-      f.elastic_energy = book.elastic_energy();
-      f.floor_hits = book.floor_hits();
-    }
-    if constexpr (std::is_same_v<Book, QuaternionBook> || std::is_same_v<Book, FreeBook>) {
-      f.norm = book.q_WB().norm();
-      const double s2 = f.norm * f.norm;
-      const Eigen::Matrix3d blend =
-          (1.0 - s2) * Eigen::Matrix3d::Identity() + s2 * book.q_WB().normalized().toRotationMatrix();
-      f.blend_defect = (F_WB - blend).cwiseAbs().maxCoeff();
-    }
-    f.angle_error = geodesic_angle(f.q_WB, exact_.at(t).q_WB);
-    f.stretch = stretch(corners_W, corners_B_);
-    f.largest_singular_value = Eigen::JacobiSVD<Eigen::Matrix3d>(F_WB).singularValues()(0);
-    f.orthogonality_defect = (F_WB.transpose() * F_WB - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-    f.tilt = angle_between(f.q_WB * spin_axis_, spin_axis_) * 180.0 / std::numbers::pi;
-    if (f.exploded && !first) {
-      f.flips = track_.frames.back().flips;
-      f.pulsations = track_.frames.back().pulsations;
-    } else {
-      f.flips = flips_.count(f.tilt, 10.0, 170.0);
-      f.pulsations = pulsations_.count(f.largest_singular_value);
-    }
-    const BookFrame& start = first ? f : track_.frames.front();
-    const double start_energy = start.kinetic_energy + start.elastic_energy;
-    f.energy_ratio = (f.kinetic_energy + f.elastic_energy) / start_energy;
-    f.angular_momentum_ratio = f.L_W.norm() / start.L_W.norm();
-    push(!first && overflown(f) ? non_finite_frame(track_.frames.back()) : f);
+    f[Q::angle_error] = geodesic_angle(f.q_WB, exact_.at(t).q_WB);
+    f[Q::tilt] = angle_between(f.q_WB * spin_axis_, spin_axis_) * 180.0 / std::numbers::pi;
+    measure_shape(f, book);
+    f[Q::flips] = f.exploded() && !first ? track_.frames.back()[Q::flips] : flips_.count(f[Q::tilt]);
+    f[Q::pulsations] =
+        f.exploded() && !first ? track_.frames.back()[Q::pulsations] : pulsations_.count(f[Q::largest_singular_value]);
+    measure_motion(f, book);
+    push(!first && overflown(f, track_.frames.front()) ? non_finite_frame(track_.frames.back()) : f);
   }
 
   BookTrack take() { return std::move(track_); }
 
  private:
+  template <class Book>
+  void measure_shape(BookFrame& f, const Book& book) const {
+    const Eigen::Matrix3d F_WB = deformation(f.corners_W, body_.corners_B);
+    f[Q::stretch] = stretch(f.corners_W, body_.corners_B);
+    f[Q::largest_singular_value] = Eigen::JacobiSVD<Eigen::Matrix3d>(F_WB).singularValues()(0);
+    f[Q::orthogonality_defect] = (F_WB.transpose() * F_WB - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+    f[Q::norm] = nan;
+    f[Q::blend_defect] = nan;
+    if constexpr (requires { book.q_WB(); }) {
+      f[Q::norm] = book.q_WB().norm();
+      const double s2 = f[Q::norm] * f[Q::norm];
+      const Eigen::Matrix3d blend =
+          (1.0 - s2) * Eigen::Matrix3d::Identity() + s2 * book.q_WB().normalized().toRotationMatrix();
+      f[Q::blend_defect] = (F_WB - blend).cwiseAbs().maxCoeff();
+    }
+  }
+
+  template <class Book>
+  void measure_motion(BookFrame& f, const Book& book) const {
+    f.L_W = book.angular_momentum_W();
+    f.omega_W = angular_velocity_W(f.q_WB.toRotationMatrix(), body_.I_B, f.L_W);
+    f[Q::kinetic_energy] = book.kinetic_energy();
+    if constexpr (requires { book.elastic_energy(); }) {
+      f[Q::elastic_energy] = book.elastic_energy();
+      f[Q::floor_hits] = static_cast<double>(book.floor_hits());
+    }
+    const BookFrame& start = track_.frames.empty() ? f : track_.frames.front();
+    const double start_energy = start[Q::kinetic_energy] + start[Q::elastic_energy];
+    f[Q::energy_ratio] = (f[Q::kinetic_energy] + f[Q::elastic_energy]) / start_energy;
+    f[Q::angular_momentum_ratio] = f.L_W.norm() / start.L_W.norm();
+  }
+
   void push(const BookFrame& f) {
-    if (f.exploded && !track_.exploded_frame) track_.exploded_frame = static_cast<int>(track_.frames.size());
+    if (f.exploded() && !track_.exploded_frame) track_.exploded_frame = static_cast<int>(track_.frames.size());
     track_.frames.push_back(f);
   }
 
-  Corners corners_B_;
+  Body body_;
   TorqueFree exact_;
-  Eigen::Vector3d spin_axis_ = Eigen::Vector3d::Zero();  // body = world frame at the start; without the jiggle
-  Passages flips_;
+  Eigen::Vector3d spin_axis_;  // body = world frame at the start; without the jiggle; 0 for a book at rest
+  Passages flips_{10.0, 170.0};
   Pulsations pulsations_;
   BookTrack track_;
 };

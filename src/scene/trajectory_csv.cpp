@@ -2,19 +2,40 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <vector>
 
 namespace bookspin {
+namespace {
+
+constexpr std::array before_omega{Q::kinetic_energy, Q::elastic_energy, Q::stretch, Q::angle_error};
+
+std::vector<Q> after_omega() {
+  std::vector<Q> others;
+  for (const Quantity& q : quantities) {
+    if (std::find(before_omega.begin(), before_omega.end(), q.id) == before_omega.end()) others.push_back(q.id);
+  }
+  return others;
+}
+
+}  // namespace
 
 std::string trajectory_csv_header() {
   std::string header = "frame,t,book";
   for (int i = 0; i < 8; ++i) header += fmt::format(",c{0}x,c{0}y,c{0}z", i);
-  return header + ",qw,qx,qy,qz,Lx,Ly,Lz,kinetic_energy,elastic_energy,stretch,angle_error";
+  header += ",qw,qx,qy,qz,Lx,Ly,Lz";
+  for (const Q q : before_omega) header.append(",").append(quantity(q).name);
+  header += ",omega_x,omega_y,omega_z";
+  for (const Q q : after_omega()) header.append(",").append(quantity(q).name);
+  return header;
 }
 
 std::string trajectory_csv_rows(const Scene& scene, const Trajectory& trajectory, int frame) {
   std::string rows;
+  const std::vector<Q> others = after_omega();
   const auto append = [&rows](double value) {
     if (std::isnan(value)) {
       rows += ",nan";  // whatever its sign bit
@@ -30,7 +51,9 @@ std::string trajectory_csv_rows(const Scene& scene, const Trajectory& trajectory
     for (const double value : f.corners_W.reshaped()) append(value);  // column by column: corner by corner
     for (const double value : {f.q_WB.w(), f.q_WB.x(), f.q_WB.y(), f.q_WB.z()}) append(value);
     for (const double value : f.L_W) append(value);
-    for (const double value : {f.kinetic_energy, f.elastic_energy, f.stretch, f.angle_error}) append(value);
+    for (const Q q : before_omega) append(f[q]);
+    for (const double value : f.omega_W) append(value);
+    for (const Q q : others) append(f[q]);
     rows += '\n';
   }
   return rows;

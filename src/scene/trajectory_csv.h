@@ -1,9 +1,9 @@
 // A trajectory as CSV: one row a frame and book, "%.17g", so that every double survives; nan where there is no number.
 //
-// frame,t,book,c0x,c0y,c0z,...,c7z,qw,qx,qy,qz,Lx,Ly,Lz,kinetic_energy,elastic_energy,stretch,angle_error
-// Corners are about the book's own centre (its position in the picture is not part of its motion), world frame; q is
-// the best-fit orientation, body to world; angle_error is its angle to the exact rigid motion from the same start,
-// radians.
+// frame,t,book,c0x,c0y,c0z,...,c7z,qw,qx,qy,qz,Lx,Ly,Lz,kinetic_energy,elastic_energy,stretch,angle_error,
+// omega_x,omega_y,omega_z, then every other quantity (scene/quantities.h) in the table's order.
+// Corners are about the book's own center (its position in the picture is not part of its motion), world frame; q, L and
+// omega are those of BookFrame, world frame.
 #pragma once
 
 #include <string>

@@ -79,7 +79,19 @@ TEST_F(Shoot, LeavesFilmPosterAndData) {
   EXPECT_EQ(data["made_with"]["width"], 160);
   EXPECT_EQ(data["made_with"]["height"], 90);
   EXPECT_EQ(data["expectations"].size(), 1U);
-  EXPECT_EQ(data["books"][0]["data"]["tilt"].size(), 24U);
+  EXPECT_EQ(data["books"][0]["data"].size(), quantities.size());
+  ASSERT_EQ(data["quantities"].size(), quantities.size());
+  for (const Quantity& q : quantities) {
+    EXPECT_EQ(data["books"][0]["data"][q.name].size(), 24U);
+    const nlohmann::json row{{"name", q.name},
+                             {"unit", q.unit},
+                             {"meaning", q.meaning},
+                             {"title", q.title},
+                             {"shown_unit", q.shown_unit},
+                             {"shown_scale", q.shown_scale},
+                             {"axis", {{"low", q.axis.low}, {"high", q.axis.high}, {"most", q.axis.most}}}};
+    EXPECT_EQ(data["quantities"][static_cast<std::size_t>(q.id)], row);
+  }
 }
 
 TEST_F(Shoot, TheFilmShowsWhatWasDrawn) {

@@ -111,7 +111,7 @@ TEST(Storyboard, FiguresOnRequest) {
   const Label* energy = find_label(shot, "E/E₀ ");
   ASSERT_NE(energy, nullptr);
   EXPECT_TRUE(energy->tabular);
-  EXPECT_EQ(energy->text, "E/E₀ " + std::to_string(motion.books[0].frames[100].energy_ratio).substr(0, 5));
+  EXPECT_EQ(energy->text, "E/E₀ " + std::to_string(motion.books[0].frames[100][Q::energy_ratio]).substr(0, 5));
   EXPECT_EQ(find_label(shot, "t 4.0")->position.x(), energy->position.x());
 
   const Scene three = load_scene(script("fig02_experiment"));

@@ -25,6 +25,17 @@ inline nlohmann::json a_book(const std::string& name, int frames) {
           {"data", {{"tilt", tilt}, {"flips", flips}, {"energy_ratio", energy}}}};
 }
 
+inline nlohmann::json a_quantity(const char* name, const char* title, const char* shown_unit, double scale, double low,
+                                 double high, double most) {
+  return {{"name", name},
+          {"unit", ""},
+          {"meaning", "what it means"},
+          {"title", title},
+          {"shown_unit", shown_unit},
+          {"shown_scale", scale},
+          {"axis", {{"low", low}, {"high", high}, {"most", most}}}};
+}
+
 inline nlohmann::json a_film(int frames = 20) {
   return {{"format", "bookspin film 1"},
           {"title", "A film"},
@@ -46,7 +57,13 @@ inline nlohmann::json a_film(int frames = 20) {
              {"met", true},
              {"found", 1},
              {"frame", 19}}}},
-          {"quantities", {{{"name", "tilt"}, {"unit", "degrees"}, {"meaning", "an angle"}}}},
+          {"quantities",
+           {a_quantity("tilt", "Tilt of the spin axis", "°", 1.0, 0.0, 5.0, 180.0),
+            a_quantity("flips", "Flips so far", "", 1.0, 0.0, 1.0, 0.0),
+            a_quantity("stretch", "Stretch", "%", 100.0, 0.0, 1.0, 0.0),
+            a_quantity("energy_ratio", "Energy E/E₀", "", 1.0, 0.95, 1.05, 0.0),
+            a_quantity("angular_momentum_ratio", "Angular momentum |L|/|L₀|", "", 1.0, 0.95, 1.05, 0.0),
+            a_quantity("angle_error", "Error of the orientation", "rad", 1.0, 0.0, 0.1, 3.14)}},
           {"script", "title = \"A film\"\n"},
           {"books", {a_book("", frames)}}};
 }

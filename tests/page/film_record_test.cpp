@@ -33,7 +33,11 @@ TEST(FilmRecord, HoldsWhatThePageNeeds) {
   EXPECT_EQ(film.width, 64);
   EXPECT_EQ(film.seconds(), 1.0);
   EXPECT_EQ(film.expectations.at(0).frame, 19);
-  EXPECT_EQ(film.quantities.at(0).unit, "degrees");
+  EXPECT_EQ(film.quantities.at(0).unit, "°");
+  EXPECT_EQ(film.quantities.at(2).scale, 100.0);
+  EXPECT_EQ(film.quantities.at(5).title, "Error of the orientation");
+  EXPECT_EQ(film.quantities.at(5).high, 0.1);
+  EXPECT_EQ(film.quantities.at(5).most, 3.14);
   EXPECT_EQ(film.books.at(0).name, "matrix");  // none of its own
   EXPECT_EQ(film.books.at(0).exploded_frame, 19);
   EXPECT_EQ(film.books.at(0).data.at("tilt").size(), 20U);
@@ -90,6 +94,8 @@ TEST_F(Door, NamesKeyFoundAndAllowed) {
   EXPECT_EQ(with("/books/0/data/tilt/3", "x"), "books.0.data.tilt.3: found \"x\"; allowed: a number or null");
   EXPECT_EQ(with("/expectations/0/met", "yes"), "expectations.0.met: found \"yes\"; allowed: true or false");
   EXPECT_EQ(with("/books", json::array()), "books: found a list of 0; allowed: at least one");
+  EXPECT_EQ(with("/quantities/0/axis/high", nullptr), "quantities.0.axis.high: found null; allowed: a number");
+  EXPECT_EQ(with("/quantities/0/name", "x"), "quantities: none has the name tilt, of which there are data");
   json film = a_film();
   film["clip"].erase("fps");
   EXPECT_EQ(said(film.dump()), "clip.fps: is missing");

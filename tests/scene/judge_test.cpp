@@ -1,57 +1,50 @@
 // Verdicts on made-up motions: what binds every frame, what some frame, and what no number does to either.
 #include "scene/judge.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
-
-#include "scene/quantities.h"
 
 namespace bookspin {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-BookFrame still_frame() {
-  BookFrame f{};
-  f.corners_W.setZero();
-  f.q_WB.setIdentity();
-  f.L_W.setZero();
-  return f;
-}
+constexpr double inf = std::numeric_limits<double>::infinity();
 
 struct Case {
   const char* name;
   std::vector<double> tilts;
-  std::optional<double> at_least, at_most, rises_to, falls_to;
-  int first_frame;
-  std::optional<int> last_frame;
-  bool met;
+  std::optional<double> at_least = {}, at_most = {}, rises_to = {}, falls_to = {};
+  int first_frame = 0;
+  std::optional<int> last_frame = {};
+  bool met = false;
   const char* text;
 };
 
 class Judged : public testing::TestWithParam<Case> {};
 
-TEST_P(Judged, is_met_or_not_and_says_why) {
+TEST_P(Judged, IsMetOrNotAndSaysWhy) {
   const Case& c = GetParam();
   Scene scene;
   scene.books.resize(2);
   Trajectory trajectory;
   trajectory.books.resize(2);
   for (const double tilt : c.tilts) {
-    BookFrame f = still_frame();
-    f.tilt = tilt;
+    BookFrame f;
+    f[Q::tilt] = tilt;
     trajectory.books[1].frames.push_back(f);
-    f.tilt = -1e9;  // book 0 must not be looked at
+    f[Q::tilt] = -1e9;  // book 0 must not be looked at
     trajectory.books[0].frames.push_back(f);
   }
   Expectation e;
   e.says = "the words";
-  e.quantity = find_quantity("tilt");
+  e.quantity = Q::tilt;
   e.book = 1;
   e.first_frame = c.first_frame;
   e.last_frame = c.last_frame;
@@ -67,232 +60,67 @@ TEST_P(Judged, is_met_or_not_and_says_why) {
   EXPECT_EQ(verdicts[0].says, "the words");
 }
 
+// clang-format off
 const Case cases[] = {
-    {"at_most_met",
-     {1, 3, 2},
-     {},
-     3.0,
-     {},
-     {},
-     0,
-     {},
-     true,
-     "tilt at most 3 degrees in frames 0 to 2: found 3 in frame 1"},
-    {"at_most_broken_once",
-     {1, 3.5, 2},
-     {},
-     3.0,
-     {},
-     {},
-     0,
-     {},
-     false,
-     "tilt at most 3 degrees in frames 0 to 2: found 3.5 in frame 1"},
-    {"at_least_met",
-     {5, 4, 9},
-     4.0,
-     {},
-     {},
-     {},
-     0,
-     {},
-     true,
-     "tilt at least 4 degrees in frames 0 to 2: found 4 in frame 1"},
-    {"at_least_broken_once",
-     {5, 3, 9},
-     4.0,
-     {},
-     {},
-     {},
-     0,
-     {},
-     false,
-     "tilt at least 4 degrees in frames 0 to 2: found 3 in frame 1"},
-    {"rises_to_met",
-     {0, 8, 0},
-     {},
-     {},
-     8.0,
-     {},
-     0,
-     {},
-     true,
-     "tilt rises to 8 degrees in frames 0 to 2: found 8 in frame 1"},
-    {"rises_to_missed",
-     {0, 7, 1},
-     {},
-     {},
-     8.0,
-     {},
-     0,
-     {},
-     false,
-     "tilt rises to 8 degrees in frames 0 to 2: found 7 in frame 1"},
-    {"falls_to_met",
-     {9, 2, 9},
-     {},
-     {},
-     {},
-     2.0,
-     0,
-     {},
-     true,
-     "tilt falls to 2 degrees in frames 0 to 2: found 2 in frame 1"},
-    {"falls_to_missed",
-     {9, 3, 9},
-     {},
-     {},
-     {},
-     2.0,
-     0,
-     {},
-     false,
-     "tilt falls to 2 degrees in frames 0 to 2: found 3 in frame 1"},
-    {"outside_the_range_nothing_counts",
-     {99, 1, 2, 99},
-     {},
-     3.0,
-     {},
-     {},
-     1,
-     2,
-     true,
-     "tilt at most 3 degrees in frames 1 to 2: found 2 in frame 2"},
-    {"range_includes_its_ends",
-     {0, 9, 1, 9},
-     {},
-     3.0,
-     {},
-     {},
-     2,
-     3,
-     false,
-     "tilt at most 3 degrees in frames 2 to 3: found 9 in frame 3"},
-    {"open_range_goes_to_the_end",
-     {9, 1, 1, 9},
-     {},
-     3.0,
-     {},
-     {},
-     1,
-     {},
-     false,
-     "tilt at most 3 degrees in frames 1 to 3: found 9 in frame 3"},
-    {"one_frame", {9, 1, 9}, {}, 3.0, {}, {}, 1, 1, true, "tilt at most 3 degrees in frame 1: found 1"},
-    {"rise_outside_the_range",
-     {9, 1, 1},
-     {},
-     {},
-     8.0,
-     {},
-     1,
-     2,
-     false,
-     "tilt rises to 8 degrees in frames 1 to 2: found 1 in frame 1"},
-    {"no_number_breaks_at_most",
-     {1, nan, 2},
-     {},
-     3.0,
-     {},
-     {},
-     0,
-     {},
-     false,
-     "tilt at most 3 degrees in frames 0 to 2: found nan in frame 1"},
-    {"no_number_at_first_breaks_at_most",
-     {nan, 1, 2},
-     {},
-     3.0,
-     {},
-     {},
-     0,
-     {},
-     false,
-     "tilt at most 3 degrees in frames 0 to 2: found nan in frame 0"},
-    {"no_number_breaks_at_least",
-     {7, nan, 9},
-     3.0,
-     {},
-     {},
-     {},
-     0,
-     {},
-     false,
-     "tilt at least 3 degrees in frames 0 to 2: found nan in frame 1"},
-    {"no_number_does_not_hide_a_rise",
-     {nan, 9, nan},
-     {},
-     {},
-     8.0,
-     {},
-     0,
-     {},
-     true,
-     "tilt rises to 8 degrees in frames 0 to 2: found 9 in frame 1"},
-    {"no_numbers_at_all_do_not_rise",
-     {nan, nan},
-     {},
-     {},
-     8.0,
-     {},
-     0,
-     {},
-     false,
-     "tilt rises to 8 degrees in frames 0 to 1: found nan in frame 0"},
-    {"no_numbers_at_all_do_not_fall",
-     {nan, nan},
-     {},
-     {},
-     {},
-     8.0,
-     0,
-     {},
-     false,
-     "tilt falls to 8 degrees in frames 0 to 1: found nan in frame 0"},
-    {"frame_beyond_the_end",
-     {1, 1},
-     {},
-     3.0,
-     {},
-     {},
-     2,
-     2,
-     false,
-     "tilt at most 3 degrees in frame 2: the film ends at frame 1"},
-    {"range_beyond_the_end",
-     {1, 1},
-     {},
-     3.0,
-     {},
-     {},
-     0,
-     2,
-     false,
-     "tilt at most 3 degrees in frames 0 to 2: the film ends at frame 1"},
-    {"infinity_rises",
-     {1, std::numeric_limits<double>::infinity()},
-     {},
-     {},
-     8.0,
-     {},
-     0,
-     {},
-     true,
-     "tilt rises to 8 degrees in frames 0 to 1: found inf in frame 1"},
+    {.name = "AtMostMet", .tilts = {1, 3, 2}, .at_most = 3.0, .met = true,
+     .text = "tilt at most 3 degrees in frames 0 to 2: found 3 in frame 1"},
+    {.name = "AtMostBrokenOnce", .tilts = {1, 3.5, 2}, .at_most = 3.0,
+     .text = "tilt at most 3 degrees in frames 0 to 2: found 3.5 in frame 1"},
+    {.name = "AtLeastMet", .tilts = {5, 4, 9}, .at_least = 4.0, .met = true,
+     .text = "tilt at least 4 degrees in frames 0 to 2: found 4 in frame 1"},
+    {.name = "AtLeastBrokenOnce", .tilts = {5, 3, 9}, .at_least = 4.0,
+     .text = "tilt at least 4 degrees in frames 0 to 2: found 3 in frame 1"},
+    {.name = "RisesToMet", .tilts = {0, 8, 0}, .rises_to = 8.0, .met = true,
+     .text = "tilt rises to 8 degrees in frames 0 to 2: found 8 in frame 1"},
+    {.name = "RisesToMissed", .tilts = {0, 7, 1}, .rises_to = 8.0,
+     .text = "tilt rises to 8 degrees in frames 0 to 2: found 7 in frame 1"},
+    {.name = "FallsToMet", .tilts = {9, 2, 9}, .falls_to = 2.0, .met = true,
+     .text = "tilt falls to 2 degrees in frames 0 to 2: found 2 in frame 1"},
+    {.name = "FallsToMissed", .tilts = {9, 3, 9}, .falls_to = 2.0,
+     .text = "tilt falls to 2 degrees in frames 0 to 2: found 3 in frame 1"},
+    {.name = "OutsideTheRangeNothingCounts", .tilts = {99, 1, 2, 99}, .at_most = 3.0, .first_frame = 1, .last_frame = 2, .met = true,
+     .text = "tilt at most 3 degrees in frames 1 to 2: found 2 in frame 2"},
+    {.name = "RangeIncludesItsEnds", .tilts = {0, 9, 1, 9}, .at_most = 3.0, .first_frame = 2, .last_frame = 3,
+     .text = "tilt at most 3 degrees in frames 2 to 3: found 9 in frame 3"},
+    {.name = "OpenRangeGoesToTheEnd", .tilts = {9, 1, 1, 9}, .at_most = 3.0, .first_frame = 1,
+     .text = "tilt at most 3 degrees in frames 1 to 3: found 9 in frame 3"},
+    {.name = "OneFrame", .tilts = {9, 1, 9}, .at_most = 3.0, .first_frame = 1, .last_frame = 1, .met = true,
+     .text = "tilt at most 3 degrees in frame 1: found 1"},
+    {.name = "RiseOutsideTheRange", .tilts = {9, 1, 1}, .rises_to = 8.0, .first_frame = 1, .last_frame = 2,
+     .text = "tilt rises to 8 degrees in frames 1 to 2: found 1 in frame 1"},
+    {.name = "NoNumberBreaksAtMost", .tilts = {1, nan, 2}, .at_most = 3.0,
+     .text = "tilt at most 3 degrees in frames 0 to 2: found nan in frame 1"},
+    {.name = "NoNumberAtFirstBreaksAtMost", .tilts = {nan, 1, 2}, .at_most = 3.0,
+     .text = "tilt at most 3 degrees in frames 0 to 2: found nan in frame 0"},
+    {.name = "NoNumberBreaksAtLeast", .tilts = {7, nan, 9}, .at_least = 3.0,
+     .text = "tilt at least 3 degrees in frames 0 to 2: found nan in frame 1"},
+    {.name = "NoNumberDoesNotHideARise", .tilts = {nan, 9, nan}, .rises_to = 8.0, .met = true,
+     .text = "tilt rises to 8 degrees in frames 0 to 2: found 9 in frame 1"},
+    {.name = "NoNumbersAtAllDoNotRise", .tilts = {nan, nan}, .rises_to = 8.0,
+     .text = "tilt rises to 8 degrees in frames 0 to 1: found nan in frame 0"},
+    {.name = "NoNumbersAtAllDoNotFall", .tilts = {nan, nan}, .falls_to = 8.0,
+     .text = "tilt falls to 8 degrees in frames 0 to 1: found nan in frame 0"},
+    {.name = "FrameBeyondTheEnd", .tilts = {1, 1}, .at_most = 3.0, .first_frame = 2, .last_frame = 2,
+     .text = "tilt at most 3 degrees in frame 2: the film ends at frame 1"},
+    {.name = "RangeBeyondTheEnd", .tilts = {1, 1}, .at_most = 3.0, .last_frame = 2,
+     .text = "tilt at most 3 degrees in frames 0 to 2: the film ends at frame 1"},
+    {.name = "InfinityRises", .tilts = {1, inf}, .rises_to = 8.0, .met = true,
+     .text = "tilt rises to 8 degrees in frames 0 to 1: found inf in frame 1"},
 };
+// clang-format on
 
 INSTANTIATE_TEST_SUITE_P(Cases, Judged, testing::ValuesIn(cases),
                          [](const testing::TestParamInfo<Case>& one) { return one.param.name; });
 
-TEST(Judge, gives_one_verdict_a_bound_in_the_scenes_order) {
+TEST(Judge, GivesOneVerdictABoundInTheScenesOrder) {
   Scene scene;
   scene.books.resize(1);
   Trajectory trajectory;
   trajectory.books.resize(1);
-  trajectory.books[0].frames.assign(3, still_frame());
-  trajectory.books[0].frames[2].exploded = true;
+  trajectory.books[0].frames.assign(3, BookFrame{});
+  trajectory.books[0].frames[2][Q::exploded] = 1.0;
   Expectation e;
-  e.quantity = find_quantity("exploded");
+  e.quantity = Q::exploded;
   e.at_least = 0.0;
   e.at_most = 0.5;
   e.rises_to = 1.0;
@@ -308,53 +136,15 @@ TEST(Judge, gives_one_verdict_a_bound_in_the_scenes_order) {
   EXPECT_EQ(verdicts[1].frame, 2);
 }
 
-TEST(Quantities, have_names_of_their_own_and_can_be_found) {
-  for (const Quantity& q : quantities()) {
-    EXPECT_EQ(find_quantity(q.name), &q);
-    EXPECT_FALSE(q.meaning.empty());
+TEST(Quantities, HaveNamesOfTheirOwnAndAllThatIsShown) {
+  std::set<std::string_view> names;
+  for (const Quantity& q : quantities) {
+    EXPECT_TRUE(names.insert(q.name).second) << q.name;
+    for (const std::string_view text : {q.meaning, q.symbol, q.format, q.title}) EXPECT_FALSE(text.empty()) << q.name;
+    EXPECT_NE(fmt::format(fmt::runtime(q.format), 1.0), "") << q.name;
+    EXPECT_GT(q.shown_scale, 0.0) << q.name;
+    EXPECT_LE(q.axis.low, q.axis.high) << q.name;
   }
-  EXPECT_EQ(find_quantity("tlt"), nullptr);
-  EXPECT_EQ(find_quantity(""), nullptr);
-}
-
-// Each quantity reads its own field: fields are given values of their own and come back under their names.
-TEST(Quantities, read_the_field_of_their_name) {
-  BookFrame f = still_frame();
-  f.tilt = 1;
-  f.flips = 2;
-  f.stretch = 3;
-  f.kinetic_energy = 4;
-  f.elastic_energy = 5;
-  f.energy_ratio = 6;
-  f.angular_momentum_ratio = 7;
-  f.norm = 8;
-  f.largest_singular_value = 9;
-  f.orthogonality_defect = 10;
-  f.blend_defect = 11;
-  f.pulsations = 12;
-  f.angle_error = 13;
-  f.extent = 14;
-  f.floor_hits = 15;
-  f.exploded = true;
-  const char* names[] = {"tilt",
-                         "flips",
-                         "stretch",
-                         "kinetic_energy",
-                         "elastic_energy",
-                         "energy_ratio",
-                         "angular_momentum_ratio",
-                         "norm",
-                         "largest_singular_value",
-                         "orthogonality_defect",
-                         "blend_defect",
-                         "pulsations",
-                         "angle_error",
-                         "extent",
-                         "floor_hits"};
-  double expected = 0;
-  for (const char* name : names) EXPECT_EQ(find_quantity(name)->of(f), ++expected) << name;
-  EXPECT_EQ(find_quantity("exploded")->of(f), 1.0);
-  EXPECT_EQ(quantities().size(), std::size(names) + 1);
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
-// videos/README.md names every key of a script, every quantity and every integrator.
+// videos/README.md names every key of a script, every quantity, overlay and integrator.
 
 #include <gtest/gtest.h>
 
 #include "dynamics/integrators.h"
-#include "scene/quantities.h"
 #include "scene/scene_file.h"
 #include "scratch.h"
 
@@ -17,10 +16,9 @@ bool names(char before, std::string_view word, char after) {
   return manual.find(quoted) != std::string::npos;
 }
 
-TEST(Manual, names_every_quantity) {
-  for (const Quantity& quantity : quantities()) {
-    EXPECT_TRUE(names('`', quantity.name, '`')) << quantity.name;
-  }
+TEST(Manual, NamesEveryQuantityAndOverlay) {
+  for (const Quantity& q : quantities) EXPECT_TRUE(names('`', q.name, '`')) << q.name;
+  for (const std::string_view name : overlay_names) EXPECT_TRUE(names('`', name, '`')) << name;
 }
 
 TEST(Manual, NamesEveryIntegrator) {
@@ -30,7 +28,7 @@ TEST(Manual, NamesEveryIntegrator) {
 }
 
 // The reader's own list of what is allowed, as its error for an unknown key gives it.
-TEST(Manual, names_every_key) {
+TEST(Manual, NamesEveryKey) {
   for (const char* script : {"title = 'T'\nnot_there = 1\n[[book]]\n", "title = 'T'\n[clip]\nnot_there = 1\n[[book]]\n",
                              "title = 'T'\n[view]\nnot_there = 1\n[[book]]\n", "title = 'T'\n[[book]]\nnot_there = 1\n",
                              "title = 'T'\n[[book]]\n[[expect]]\nquantity = 'tilt'\nat_most = 1\nnot_there = 1\n"}) {

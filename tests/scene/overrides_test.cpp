@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "scene/quantities.h"
 #include "scene/scene_file.h"
 
 namespace bookspin {
@@ -56,11 +55,9 @@ TEST(Overrides, reach_every_key_of_a_book) {
   EXPECT_EQ(book.options.particle_mass, 0.125);
   EXPECT_EQ(book.position_W, Eigen::Vector3d(-1, 0, 2));
   EXPECT_EQ(book.style, Style::ghost);
-  EXPECT_TRUE(book.show.axes);
-  EXPECT_TRUE(book.show.trace);
-  EXPECT_FALSE(book.show.springs);
+  EXPECT_EQ(book.show, (std::set{Overlay::axes, Overlay::trace}));
   ASSERT_EQ(scene.view.head_up.size(), 2U);
-  EXPECT_EQ(scene.view.head_up[1], find_quantity("flips"));
+  EXPECT_EQ(scene.view.head_up[1], Q::flips);
 
   const BookSetup untouched = scene.books[0];
   const BookSetup defaults;
@@ -85,7 +82,7 @@ TEST(Overrides, reach_every_key_of_an_expectation) {
             "expect.0.at_least=-1", "expect.0.at_most=2.5", "expect.0.rises_to=3", "expect.0.falls_to=-4"});
   const Expectation& e = scene.expectations[0];
   EXPECT_EQ(e.says, "new words");
-  EXPECT_EQ(e.quantity->name, "norm");
+  EXPECT_EQ(e.quantity, Q::norm);
   EXPECT_EQ(e.book, 1);
   EXPECT_EQ(e.first_frame, 3);
   EXPECT_EQ(e.last_frame, 9);

@@ -43,14 +43,16 @@ std::string whole_csv(const Scene& scene, const Trajectory& trajectory) {
   return csv;
 }
 
-TEST(TrajectoryCsv, has_its_header) {
+TEST(TrajectoryCsv, HasItsHeader) {
   EXPECT_EQ(
       trajectory_csv_header(),
       "frame,t,book,c0x,c0y,c0z,c1x,c1y,c1z,c2x,c2y,c2z,c3x,c3y,c3z,c4x,c4y,c4z,c5x,c5y,c5z,c6x,c6y,c6z,c7x,c7y,c7z,"
-      "qw,qx,qy,qz,Lx,Ly,Lz,kinetic_energy,elastic_energy,stretch,angle_error");
+      "qw,qx,qy,qz,Lx,Ly,Lz,kinetic_energy,elastic_energy,stretch,angle_error,omega_x,omega_y,omega_z,tilt,flips,"
+      "energy_ratio,angular_momentum_ratio,norm,largest_singular_value,orthogonality_defect,blend_defect,pulsations,"
+      "extent,floor_hits,exploded");
 }
 
-TEST(TrajectoryCsv, has_a_row_a_frame_and_book_whose_numbers_come_back) {
+TEST(TrajectoryCsv, HasARowAFrameAndBookWhoseNumbersComeBack) {
   const Scene scene = two_books(30);
   const Trajectory trajectory = simulate(scene);
   const std::vector<std::string> lines = split(whole_csv(scene, trajectory), '\n');
@@ -68,7 +70,16 @@ TEST(TrajectoryCsv, has_a_row_a_frame_and_book_whose_numbers_come_back) {
         for (int d = 0; d < 3; ++d) expected.push_back(f.corners_W(d, i));
       }
       expected.insert(expected.end(), {f.q_WB.w(), f.q_WB.x(), f.q_WB.y(), f.q_WB.z(), f.L_W.x(), f.L_W.y(), f.L_W.z(),
-                                       f.kinetic_energy, f.elastic_energy, f.stretch, f.angle_error});
+                                       f[Q::kinetic_energy], f[Q::elastic_energy], f[Q::stretch], f[Q::angle_error],
+                                       f.omega_W.x(), f.omega_W.y(), f.omega_W.z()});
+      for (const char* name :
+           {"tilt", "flips", "energy_ratio", "angular_momentum_ratio", "norm", "largest_singular_value",
+            "orthogonality_defect", "blend_defect", "pulsations", "extent", "floor_hits", "exploded"}) {
+        for (const Quantity& q : quantities) {
+          if (q.name == name) expected.push_back(f[q.id]);
+        }
+      }
+      ASSERT_EQ(cells.size(), 3 + expected.size());
       for (std::size_t i = 0; i < expected.size(); ++i) {
         if (std::isnan(expected[i])) {
           EXPECT_EQ(cells[3 + i], "nan");
@@ -80,31 +91,32 @@ TEST(TrajectoryCsv, has_a_row_a_frame_and_book_whose_numbers_come_back) {
   }
 }
 
-TEST(TrajectoryCsv, writes_seventeen_digits) {
+TEST(TrajectoryCsv, WritesSeventeenDigits) {
   Scene scene = two_books(2);
   scene.clip.time_per_frame = 0.1;
   const Trajectory trajectory = simulate(scene);
   EXPECT_EQ(split(trajectory_csv_rows(scene, trajectory, 1), ',')[1], "0.10000000000000001");
 }
 
-TEST(TrajectoryCsv, frame_0_is_the_start) {
+TEST(TrajectoryCsv, Frame0IsTheStart) {
   const Scene scene = two_books(2);
   const std::string row = split(trajectory_csv_rows(scene, simulate(scene), 0), '\n')[0];
   EXPECT_TRUE(row.starts_with("0,0,0,-0.93899999999999995,-1.45425,-0.25,0.93899999999999995,-1.45425,-0.25,")) << row;
 }
 
-TEST(TrajectoryCsv, of_the_same_scene_has_the_same_bytes) {
+TEST(TrajectoryCsv, OfTheSameSceneHasTheSameBytes) {
   const Scene scene = two_books(200);
   EXPECT_EQ(whole_csv(scene, simulate(scene)), whole_csv(scene, simulate(scene)));
 }
 
-TEST(TrajectoryCsv, says_nan_where_there_is_no_number) {
+TEST(TrajectoryCsv, SaysNanWhereThereIsNoNumber) {
   const Scene scene = two_books(400);  // the quaternion book explodes
   const Trajectory trajectory = simulate(scene);
   ASSERT_FALSE(trajectory.books[1].frames.back().corners_W.allFinite());
   const std::vector<std::string> rows = split(trajectory_csv_rows(scene, trajectory, 399), '\n');
   std::string expected = "399,279.29999999999995,1";
-  for (int i = 0; i < 35; ++i) expected += ",nan";
+  for (int i = 0; i < 38; ++i) expected += ",nan";
+  expected += ",nan,0,nan,nan,nan,nan,nan,nan,0,nan,0,1";  // counts stay, and it has exploded
   EXPECT_EQ(rows[1], expected);
   EXPECT_EQ(whole_csv(scene, trajectory).find("inf"), std::string::npos);
 }

@@ -16,9 +16,9 @@
 
 namespace bookspin {
 
-class OverlayPainter {
+class ArrowAndLinePainter {
  public:
-  OverlayPainter(const GladGLContext& gl, const std::filesystem::path& assets);
+  ArrowAndLinePainter(const GladGLContext& gl, const std::filesystem::path& assets);
 
   void draw_arrow(const View& view, const Arrow& arrow);
   void draw_lines(const View& view, int width, int height, std::span<const Line> lines);

@@ -1,4 +1,4 @@
-#include "render/overlays.h"
+#include "render/arrows_and_lines.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -109,7 +109,7 @@ void push_line(std::vector<float>& out, const View& view, int width, int height,
 
 }  // namespace
 
-OverlayPainter::OverlayPainter(const GladGLContext& gl, const std::filesystem::path& assets)
+ArrowAndLinePainter::ArrowAndLinePainter(const GladGLContext& gl, const std::filesystem::path& assets)
     : gl_(&gl),
       solid_(gl, assets / "shaders" / "solid.vert", assets / "shaders" / "solid.frag"),
       line_(gl, assets / "shaders" / "line.vert", assets / "shaders" / "line.frag"),
@@ -132,7 +132,7 @@ OverlayPainter::OverlayPainter(const GladGLContext& gl, const std::filesystem::p
   line_stream_ = make_stream(std::array{4, 4}, line_floats);
 }
 
-void OverlayPainter::draw(const Stream& stream, const std::vector<float>& vertices, GLsizei floats_a_vertex) {
+void ArrowAndLinePainter::draw(const Stream& stream, const std::vector<float>& vertices, GLsizei floats_a_vertex) {
   gl_->BindVertexArray(stream.vertex_array.id());
   gl_->BindBuffer(GL_ARRAY_BUFFER, stream.vertices.id());
   gl_->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(float)), vertices.data(),
@@ -140,7 +140,7 @@ void OverlayPainter::draw(const Stream& stream, const std::vector<float>& vertic
   gl_->DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()) / floats_a_vertex);
 }
 
-void OverlayPainter::draw_arrow(const View& view, const Arrow& arrow) {
+void ArrowAndLinePainter::draw_arrow(const View& view, const Arrow& arrow) {
   if (!((arrow.to_W - arrow.from_W).norm() > 0)) return;
   solid_.use();
   const Eigen::Matrix4f clip_from_world = view.clip_from_world().cast<float>();
@@ -152,7 +152,7 @@ void OverlayPainter::draw_arrow(const View& view, const Arrow& arrow) {
   draw(solid_stream_, arrow_triangles(arrow), solid_floats);
 }
 
-void OverlayPainter::draw_lines(const View& view, int width, int height, std::span<const Line> lines) {
+void ArrowAndLinePainter::draw_lines(const View& view, int width, int height, std::span<const Line> lines) {
   line_.use();
   gl_->Enable(GL_DEPTH_TEST);
   gl_->Disable(GL_CULL_FACE);
@@ -173,7 +173,7 @@ void OverlayPainter::draw_lines(const View& view, int width, int height, std::sp
   }
 }
 
-std::array<Eigen::Vector3d, 16> OverlayPainter::hull(const Arrow& arrow) {
+std::array<Eigen::Vector3d, 16> ArrowAndLinePainter::hull(const Arrow& arrow) {
   const double reach = head_radius * ArrowShape(arrow).radius;
   std::array<Eigen::Vector3d, 16> points;
   for (unsigned i = 0; i < 16; ++i) {
