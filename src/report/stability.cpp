@@ -1,12 +1,12 @@
 #include "report/stability.h"
 
 #include <Eigen/Eigenvalues>
-#include <cassert>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
+#include "dynamics/integrators.h"
 #include "dynamics/shape.h"
-#include "dynamics/spring_book.h"
 #include "scene/simulate.h"
 
 namespace bookspin {
@@ -36,8 +36,7 @@ Matrix2 one_step(Integrator integrator, double lambda, double gamma, double h) {
       return M;
     }
     default:
-      assert(false);
-      return one;
+      throw std::invalid_argument(std::string(info_of(integrator).name) + ": its step of a linear mode is not known");
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <stdexcept>
 
 #include "dynamics/book.h"
 #include "report/measure.h"
@@ -161,6 +162,11 @@ TEST(RigidCases, TheOptionsAreTheSameBody) {
     EXPECT_LT((I_B - c.I_B).norm(), tolerance(1e-14) * c.I_B.norm());  // measured 3e-16
     EXPECT_LT((I_B.cwiseProduct(options.omega_W) - c.L_W).norm(), tolerance(1e-14) * c.L_W.norm());
   }
+}
+
+TEST(StepLimits, AreNotMadeUpForAnIntegratorWhoseLinearStepIsNotKnown) {
+  EXPECT_THROW(static_cast<void>(predicted_step_limit(unnormalized_springs(10.0, 0.0, Integrator::composition8))),
+               std::invalid_argument);
 }
 
 TEST(SpringModes, SixAreRigidAndTheFastestBreathes) {
