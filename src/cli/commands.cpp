@@ -39,8 +39,14 @@ std::string counted(Number count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+// To standard error. That nobody reads it is no reason to stop: fmt::print would throw.
+void tell(const std::string& text) {
+  std::fputs(text.c_str(), stderr);
+  std::fflush(stderr);
+}
+
 void complain(std::string_view what) {
-  fmt::print(stderr, "bookspin: {}\n", what);
+  tell(fmt::format("bookspin: {}\n", what));
 }
 
 fs::path folder_or(const std::string& folder, const fs::path& otherwise) {
@@ -239,10 +245,9 @@ int report(const Options& options) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   make_report({folder, find_assets(options.assets), options.quick}, [&](std::string_view what, double done) {
-    if (terminal) fmt::print(stderr, "\r\x1b[K{:3.0f} %  {:4.0f} s  {}", 100.0 * done, seconds(), what);
-    std::fflush(stderr);
+    if (terminal) tell(fmt::format("\r\x1b[K{:3.0f} %  {:4.0f} s  {}", 100.0 * done, seconds(), what));
   });
-  if (terminal) fmt::print(stderr, "\r\x1b[K");
+  if (terminal) tell("\r\x1b[K");
   print(fmt::format("{} in {:.0f} s\n", (folder / "index.html").string(), seconds()));
   return 0;
 }

@@ -82,6 +82,9 @@ TEST_F(Cli, ABadScriptDoesNotStopTheOthers) {
   }
   EXPECT_THAT((*this)("check mine.toml bad.toml other.toml").out,
               HasSubstr("3 scripts: 2 as expected, 0 not\nnot checked: bad.toml\n"));
+  // Even when nobody hears it.
+  EXPECT_THAT(run(scratch, "(" + bookspin + "check bad.toml other.toml 2>/dev/full)").out,
+              HasSubstr("other.toml: 1 of 1"));
   const Said said = (*this)("render mine.toml bad.toml other.toml -o films --size 64x36 --update");
   EXPECT_THAT(said.out, HasSubstr("2 films up to date in films\nnot made: bad.toml\n"));
   EXPECT_EQ(said.exit_code, 1);

@@ -60,5 +60,12 @@ TEST(Files, FailuresNameFileOperationAndReason) {
   EXPECT_FALSE(fs::exists(scratch / "in the way.part"));
 }
 
+TEST(Files, SizesAreReadable) {
+  EXPECT_EQ(readable_size(0), "0 kB");
+  EXPECT_EQ(readable_size(411600), "412 kB");
+  EXPECT_EQ(readable_size(999600), "1.0 MB");
+  EXPECT_EQ(readable_size(3140000), "3.1 MB");
+}
+
 }  // namespace
 }  // namespace bookspin

@@ -104,7 +104,7 @@ async function until(page, id, what, holds) {
 const near = (a, b) => Math.abs(a - b) < 0.051;  // three frames of 60 a second
 
 async function watch(page, id) {
-  const seek = page.locator(`#${id} .seek`);
+  const seek = page.locator(`[id="${id}"] .seek`);
   await seek.scrollIntoViewIfNeeded();
   // A click in the chart, before the film has been loaded at all, goes there.
   const box = await seek.boundingBox();
@@ -207,25 +207,43 @@ await check("a copied script is the script", async () => {
   await close(page);
 });
 
+// Nothing sticks out, closed or open, and axe has nothing to say.
+async function layout(address, width, colorScheme) {
+  const page = await open(address, { viewport: { width, height: 900 }, colorScheme });
+  const overflow = () => page.evaluate(() => {
+    const wide = document.documentElement.scrollWidth - innerWidth;
+    const out = [...document.querySelectorAll("main *")].filter((e) => !e.closest("pre") && e.getBoundingClientRect().right > innerWidth + 1);
+    return wide > 0 || out.length > 0 ? `${wide} pixels too wide: ${out.slice(0, 3).map((e) => e.outerHTML.slice(0, 80))}` : "";
+  });
+  expect((await overflow()) === "", await overflow());
+  await page.$$eval("details", (all) => all.forEach((d) => { d.open = true; }));
+  expect((await overflow()) === "", "with all open: " + (await overflow()));
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => globalThis.axe.run({ resultTypes: ["violations"] }));
+  const text = violations.map((v) => `${v.id} (${v.nodes.length}): ${v.nodes[0].html.slice(0, 120)} ${v.nodes[0].failureSummary}`);
+  expect(violations.length === 0, text.join("; "));
+  await close(page);
+}
+
 for (const width of [360, 768, 1920]) {
   for (const colorScheme of ["light", "dark"]) {
-    await check(`layout and accessibility at ${width} pixels, ${colorScheme}`, async () => {
-      const page = await open(origins["file://"], { viewport: { width, height: 900 }, colorScheme });
-      const overflow = () => page.evaluate(() => {
-        const wide = document.documentElement.scrollWidth - innerWidth;
-        const out = [...document.querySelectorAll("main *")].filter((e) => !e.closest("pre") && e.getBoundingClientRect().right > innerWidth + 1);
-        return wide > 0 || out.length > 0 ? `${wide} pixels too wide: ${out.slice(0, 3).map((e) => e.outerHTML.slice(0, 80))}` : "";
-      });
-      expect((await overflow()) === "", await overflow());
-      await page.$$eval("details", (all) => all.forEach((d) => { d.open = true; }));
-      expect((await overflow()) === "", "with all open: " + (await overflow()));
-      await page.evaluate(axe);
-      const { violations } = await page.evaluate(() => globalThis.axe.run({ resultTypes: ["violations"] }));
-      const text = violations.map((v) => `${v.id} (${v.nodes.length}): ${v.nodes[0].html.slice(0, 120)} ${v.nodes[0].failureSummary}`);
-      expect(violations.length === 0, text.join("; "));
-      await close(page);
-    });
+    await check(`layout and accessibility at ${width} pixels, ${colorScheme}`, () => layout(origins["file://"], width, colorScheme));
   }
+}
+
+// own/ holds two films of names that no address can hold as they are.
+for (const [origin, address] of Object.entries(origins)) {
+  await check(`a stranger's page works, whatever the films' names, from ${origin}`, async () => {
+    const own = address.replace("index.html", "own/index.html");
+    const page = await open(own);
+    const films = await names(page);
+    expect(films.length === 2, `${films.length} films`);
+    for (const id of films) await watch(page, id);
+    await page.locator("nav a").last().click();
+    expect(await page.locator(".film").last().evaluate((film) => film.matches(":target")), "a link in the head finds its film");
+    await close(page);
+    for (const width of [360, 1280]) await layout(own, width, "light");
+  });
 }
 
 await check("print shows posters, not films", async () => {

@@ -20,4 +20,9 @@ rm -rf site
 "$bookspin" render "$project/videos/fig08_neither.toml" -o site --size 192x108 --set clip.frames=75 --set clip.time_per_frame=0.2 >>render.log
 rm -f site/fig01_axes.mp4
 "$bookspin" page site || exit 1
+for name in "my film" "50% #2?"; do
+  cp "$project/videos/fig09_matrix.toml" "$name.toml"
+  "$bookspin" render "$name.toml" -o site/own --size 192x108 --set clip.frames=75 >>render.log
+done
+"$bookspin" page site/own || exit 1
 node "$here/browser_test.mjs" "$folder" "$project/videos"
