@@ -206,7 +206,10 @@ TEST_F(Cli, WritesTheTrajectoryAsCsv) {
 TEST_F(Cli, TheMethodsStartAlikeAndPartSlowly) {
   const auto row = [this](const std::string& set) {
     const std::string csv = (*this)("trajectory mine.toml --set book.0.method=" + set).out;
-    return csv.substr(csv.find("\n0,") + 1, csv.find("\n1,") - csv.find("\n0,"));
+    const std::string first = csv.substr(csv.find("\n0,") + 1, csv.find("\n1,") - csv.find("\n0,"));
+    std::size_t end = 0;
+    for (int column = 0; column < 41; ++column) end = first.find(',', end) + 1;
+    return first.substr(0, end);  // the motion; not every quantity after it is one of every method
   };
   const std::string matrix = row("matrix");
   EXPECT_EQ(matrix, row("quaternion"));
