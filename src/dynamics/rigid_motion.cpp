@@ -7,10 +7,8 @@
 
 namespace bookspin {
 
-TorqueFree exact_motion(BookOptions options) {
-  options.particle_mass = 1.0;
-  const Eigen::Vector3d I_B = body_of(options).I_B;
-  return {I_B, Eigen::Quaterniond::Identity(), I_B.cwiseProduct(options.omega_W)};
+TorqueFree exact_motion(const BookOptions& options) {
+  return TorqueFree::of_book(options.size, options.omega_W);
 }
 
 FreeBook::FreeBook(const BookOptions& options)

@@ -14,7 +14,7 @@
 namespace bookspin {
 
 // The exact motion of particles of mass 1: every method's referee.
-[[nodiscard]] TorqueFree exact_motion(BookOptions options);
+[[nodiscard]] TorqueFree exact_motion(const BookOptions& options);
 
 class FreeBook {
  public:

@@ -1,231 +1,310 @@
 #include "dynamics/torque_free.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace bookspin {
 namespace {
 
-using QuaternionL = Eigen::Quaternion<long double>;
-using Matrix3L = Eigen::Matrix<long double, 3, 3>;
-using Vector3L = Eigen::Matrix<long double, 3, 1>;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using ExactVector = std::array<Expansion, 3>;
 using DdVector = std::array<Dd, 3>;
+using DdQuaternion = std::array<Dd, 4>;  // w, x, y, z
 
-int binary_exponent(double largest) {
+[[noreturn]] void refuse(const char* what) {
+  throw std::invalid_argument(std::string("torque-free motion: ") + what);
+}
+
+// A power of two as great as the largest component, or a little greater.
+int exponent_of(const Vector3d& v) {
   int exponent = 0;
-  std::frexp(largest, &exponent);
+  std::frexp(v.cwiseAbs().maxCoeff(), &exponent);
   return exponent;
 }
 
-// L_B = R_WB^T L_W with q_WB not yet normalised: q^-1 L q / |q|^2, exact to 31 digits.
-DdVector to_body(const Eigen::Quaterniond& q, const Eigen::Vector3d& L_W) {
-  const Dd w = q.w();
-  const DdVector v{-Dd(q.x()), -Dd(q.y()), -Dd(q.z())};
-  const DdVector L{L_W.x(), L_W.y(), L_W.z()};
-  const auto cross = [](const DdVector& r, const DdVector& s) {
-    return DdVector{r[1] * s[2] - r[2] * s[1], r[2] * s[0] - r[0] * s[2], r[0] * s[1] - r[1] * s[0]};
-  };
-  const Dd square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-  const Dd along = v[0] * L[0] + v[1] * L[1] + v[2] * L[2];
-  const DdVector turned = cross(v, L);
-  const Dd norm = w * w + square;
-  DdVector body;
-  for (std::size_t i = 0; i < 3; ++i) {
-    body[i] = ((w * w - square) * L[i] + (w * turned[i] + along * v[i]) * 2.0) / norm;
-  }
-  return body;
+Vector3d divided_by_power_of_2(const Vector3d& v, int exponent) {
+  return v.unaryExpr([exponent](double x) { return std::ldexp(x, -exponent); });
 }
 
-// (w, z, x, y) of g -> (x, y, z, w), Eigen's order, of left * g * right^-1.
-Eigen::Matrix4d frames(const QuaternionL& left, const QuaternionL& right) {
-  const std::array<QuaternionL, 4> basis{QuaternionL(1, 0, 0, 0), QuaternionL(0, 0, 0, 1), QuaternionL(0, 1, 0, 0),
-                                         QuaternionL(0, 0, 1, 0)};
-  Eigen::Matrix4d matrix;
-  for (int column = 0; column < 4; ++column) {
-    const QuaternionL q = left * basis[static_cast<std::size_t>(column)] * right.conjugate();
-    matrix.col(column) = q.coeffs().cast<double>();
-  }
-  return matrix;
+DdQuaternion product(const DdQuaternion& p, const DdQuaternion& q) {
+  return {p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3], p[0] * q[1] + p[1] * q[0] + p[2] * q[3] - p[3] * q[2],
+          p[0] * q[2] - p[1] * q[3] + p[2] * q[0] + p[3] * q[1], p[0] * q[3] + p[1] * q[2] - p[2] * q[1] + p[3] * q[0]};
 }
 
-// x to the nearest integer, plus a constant that brings the integer's last bit to the last bit of the sum; |x| < 2^51.
-constexpr double to_integer = 0x1.8p52;
+Dd squared_norm(const DdQuaternion& q) {
+  return q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+}
 
-// Carlson's R_F by duplication (DLMF 19.36.1); the arguments may be as small as the squares of 1e-170.
-long double carlson_rf(long double x, long double y, long double z) {
-  for (;;) {
-    const long double mean = (x + y + z) / 3;
-    const long double dx = 1 - x / mean;
-    const long double dy = 1 - y / mean;
-    const long double dz = -dx - dy;
-    if (std::max({std::fabs(dx), std::fabs(dy), std::fabs(dz)}) < 2e-3L) {
-      const long double e2 = dx * dy - dz * dz;
-      const long double e3 = dx * dy * dz;
-      const long double series = 1 - e2 / 10 + e3 / 14 + e2 * e2 / 24 - 3 * e2 * e3 / 44 - 5 * e2 * e2 * e2 / 208 +
-                                 3 * e3 * e3 / 104 + e2 * e2 * e3 / 16;
-      return series / std::sqrt(mean);
+Quaterniond normalized(const DdQuaternion& q) {
+  const Dd scale = Dd(1.0) / sqrt(squared_norm(q));
+  return {(q[0] * scale).hi, (q[1] * scale).hi, (q[2] * scale).hi, (q[3] * scale).hi};
+}
+
+// (alpha, beta) proportional to (re + i im) (L + L_3, L_2 - i L_1), as the quaternion w, x, y, z: section 2.
+template <class Real>
+std::array<Real, 4> cayley_klein(Real re, Real im, Real L1, Real L2, Real L_plus_L3) {
+  return {L_plus_L3 * re, re * L2 + im * L1, im * L2 - re * L1, L_plus_L3 * im};
+}
+
+// Carlson's R_F(x^2, y^2, z^2) by duplication (DLMF 19.36.1), whose first step needs no squares: x and y may be 1e-300.
+Dd carlson_rf(Dd x, Dd y, Dd z) {
+  DdVector square{x * x, y * y, z * z};
+  DdVector root{x, y, z};
+  Dd mean;
+  double spread = 1;
+  for (int round = 0; round < 40 && spread > 2e-3 * mean.hi; ++round) {
+    const Dd shift = root[0] * (root[1] + root[2]) + root[1] * root[2];
+    for (std::size_t i = 0; i < 3; ++i) {
+      square[i] = (square[i] + shift) * 0.25;
+      root[i] = sqrt(square[i]);
     }
-    const long double rx = std::sqrt(x);
-    const long double ry = std::sqrt(y);
-    const long double rz = std::sqrt(z);
-    const long double shift = rx * (ry + rz) + ry * rz;
-    x = (x + shift) / 4;
-    y = (y + shift) / 4;
-    z = (z + shift) / 4;
+    mean = (square[0] + square[1] + square[2]) / 3.0;
+    const auto [least, most] = std::minmax({square[0].hi, square[1].hi, square[2].hi});
+    spread = most - least;
   }
+  const double dx = (mean - square[0]).hi / mean.hi;
+  const double dy = (mean - square[1]).hi / mean.hi;
+  const double dz = -dx - dy;
+  const double e2 = dx * dy - dz * dz;
+  const double e3 = dx * dy * dz;
+  const double series =
+      -e2 / 10 + e3 / 14 + e2 * e2 / 24 - 3 * e2 * e3 / 44 - 5 * e2 * e2 * e2 / 208 + 3 * e3 * e3 / 104;
+  return (Dd(1.0) + series) / sqrt(mean);
 }
 
-void check(const Eigen::Vector3d& I_B, const Eigen::Quaterniond& q_WB0, const Eigen::Vector3d& L_W) {
-  if (!I_B.allFinite() || !(I_B.array() > 0).all()) {
-    throw std::invalid_argument("torque-free motion: principal moments must be positive and finite");
+// The axes of section 1, and what cancels near equal moments or the separatrix, from the given numbers exactly.
+struct Axes {
+  std::size_t a = 0, b = 0, c = 0;  // circled, middle, other
+  Dd gap_a, gap_b, gap_c;           // |I_b - I_a|, |I_c - I_a|, |I_c - I_b|
+  Dd excess;                        // sqrt(G_a L_a^2 - G_c L_c^2)
+  bool steady = false;              // L x omega is zero, or so small that it underflows
+};
+
+Axes axes_of(const ExactVector& I, const ExactVector& L_B) {
+  std::array<std::size_t, 3> order{0, 1, 2};
+  std::sort(order.begin(), order.end(), [&I](auto i, auto j) { return (I[i] - I[j]).rounded().hi < 0; });
+  Axes axes;
+  auto& [a, b, c, gap_a, gap_b, gap_c, excess, steady] = axes;
+  a = order[0];
+  b = order[1];
+  c = order[2];
+  const Expansion b_less_a = I[b] - I[a];
+  const Expansion c_less_b = I[c] - I[b];
+  gap_a = b_less_a.rounded();
+  gap_b = (I[c] - I[a]).rounded();
+  gap_c = c_less_b.rounded();
+  const Dd L_a = abs(L_B[a].rounded());
+  const Dd L_b = abs(L_B[b].rounded());
+  const Dd L_c = abs(L_B[c].rounded());
+  const Dd X_a = sqrt(gap_a * I[c].rounded()) * L_a;
+  const Dd X_c = sqrt(gap_c * I[a].rounded()) * L_c;
+  const auto coupled = [](Dd L_i, Dd L_j, Dd gap) { return L_i.hi != 0 && L_j.hi != 0 && gap.hi != 0; };
+  steady = (X_a.hi == 0 && X_c.hi == 0) ||
+           !(coupled(L_a, L_b, gap_a) || coupled(L_b, L_c, gap_c) || coupled(L_a, L_c, gap_b));
+
+  Dd difference = X_a - X_c;
+  if (std::abs(difference.hi) > 1e-6 * X_a.hi) {
+    excess = sqrt(abs(difference)) * sqrt(X_a + X_c);
+  } else {  // near the separatrix; L_a and L_c, which may be 1e-300, are brought near 1
+    const int exponent = std::max(-1000, exponent_of({L_a.hi, L_c.hi, 0}));
+    const double scale = std::ldexp(1.0, -exponent);
+    const Expansion l_a = L_B[a] * scale;
+    const Expansion l_c = L_B[c] * scale;
+    difference = (b_less_a * I[c] * (l_a * l_a) - c_less_b * I[a] * (l_c * l_c)).rounded();
+    excess = sqrt(abs(difference)) * std::ldexp(1.0, exponent);
   }
-  const double q_max = q_WB0.coeffs().cwiseAbs().maxCoeff();
-  if (!q_WB0.coeffs().allFinite() || !(q_max > 1e-140 && q_max < 1e140)) {
-    throw std::invalid_argument("torque-free motion: the initial orientation is not a rotation");
+  if (difference.hi < 0) {
+    std::swap(a, c);
+    std::swap(gap_a, gap_c);
   }
-  if (!L_W.allFinite()) throw std::invalid_argument("torque-free motion: the angular momentum must be finite");
+  return axes;
 }
 
 }  // namespace
 
-TorqueFree::TorqueFree(const Eigen::Vector3d& I_B, const Eigen::Quaterniond& q_WB0, const Eigen::Vector3d& L_W) {
-  check(I_B, q_WB0, L_W);
-  const double L_max = L_W.cwiseAbs().maxCoeff();
-  const QuaternionL q0 = q_WB0.cast<long double>().normalized();
-  if (L_max == 0) {
-    frames_ = frames(q0, QuaternionL::Identity());
-    return;
+// What was given, over powers of two: every digit stays, and squares and products stay inside the range of double.
+struct TorqueFree::Start {
+  DdVector I, L_B;
+  Dd L, twice_energy;
+  Axes axes;
+  DdQuaternion q_WB0;  // of any length
+  int L_exponent;      // L is in units of 2^L_exponent
+  int rate_exponent;   // L / I is in units of 2^rate_exponent
+
+  Start(const ExactVector& exact_I, const ExactVector& exact_L_B, const DdQuaternion& q, int L_unit, int rate_unit)
+      : axes(axes_of(exact_I, exact_L_B)), q_WB0(q), L_exponent(L_unit), rate_exponent(rate_unit) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      I[i] = exact_I[i].rounded();
+      L_B[i] = exact_L_B[i].rounded();
+      twice_energy = twice_energy + L_B[i] * L_B[i] / I[i];
+    }
+    L = hypot(hypot(abs(L_B[0]), abs(L_B[1])), abs(L_B[2]));
   }
 
-  // Powers of two leave every digit alone and keep squares and products inside the range of double.
-  const int I_exponent = binary_exponent(I_B.maxCoeff());
-  const int L_exponent = binary_exponent(L_max);
-  time_scale_ = std::ldexp(1.0, L_exponent - I_exponent);
-  if (!std::isfinite(time_scale_)) throw std::invalid_argument("torque-free motion: |L| / I overflows");
-  DdVector I;
-  for (std::size_t i = 0; i < 3; ++i) I[i] = std::ldexp(I_B[static_cast<int>(i)], -I_exponent);
-  const DdVector L_B = to_body(q_WB0, L_W.unaryExpr([&](double x) { return std::ldexp(x, -L_exponent); }));
-  const Dd L = hypot(hypot(abs(L_B[0]), abs(L_B[1])), abs(L_B[2]));
-  const Dd twice_energy = L_B[0] * L_B[0] / I[0] + L_B[1] * L_B[1] / I[1] + L_B[2] * L_B[2] / I[2];
-  L_ = std::ldexp(L.hi, L_exponent);
-  Vector3L direction;
-  for (int i = 0; i < 3; ++i) direction[i] = (L_B[static_cast<std::size_t>(i)] / L).wide();
-
-  // b: the middle moment; a: the circled axis; c: the other.
-  std::array<std::size_t, 3> order{0, 1, 2};
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return I[i] < I[j]; });
-  auto [a, b, c] = order;
-  const auto weight = [&, b = b](std::size_t outer, std::size_t other) { return abs(I[b] - I[outer]) * I[other]; };
-  if (sqrt(weight(a, c)) * abs(L_B[a]) < sqrt(weight(c, a)) * abs(L_B[c])) std::swap(a, c);
-  const Dd G_a = weight(a, c);
-  const Dd G_c = weight(c, a);
-  const Dd X_a = sqrt(G_a) * abs(L_B[a]);
-  const Dd X_c = sqrt(G_c) * abs(L_B[c]);
-
-  // Steady when L x omega is zero, or so small that it underflows (X_a = 0).
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    if (X_a.hi > 0 && L_B[i].hi != 0 && L_B[j].hi != 0 && (I[i] - I[j]).hi != 0) steady_ = false;
+  static Start of_body(const Vector3d& I_B, const Quaterniond& q_WB0, const Vector3d& L_W) {
+    const int I_exponent = exponent_of(I_B);
+    const int L_exponent = exponent_of(L_W);
+    const Vector3d I = divided_by_power_of_2(I_B, I_exponent);
+    const Vector3d L = divided_by_power_of_2(L_W, L_exponent);
+    // L_B = q^-1 L_W q / |q|^2, to 31 digits; exactly where q_WB0 = 1.
+    const DdQuaternion q{q_WB0.w(), q_WB0.x(), q_WB0.y(), q_WB0.z()};
+    const DdQuaternion L_B = product(product({q[0], -q[1], -q[2], -q[3]}, {0.0, L.x(), L.y(), L.z()}), q);
+    const Dd norm = squared_norm(q);
+    return {{I.x(), I.y(), I.z()},
+            {Expansion(L_B[1] / norm), Expansion(L_B[2] / norm), Expansion(L_B[3] / norm)},
+            q,
+            L_exponent,
+            L_exponent - I_exponent};
   }
+
+  static Start of_book(const Vector3d& size, const Vector3d& omega_W) {
+    const int size_exponent = exponent_of(size);
+    const int rate_exponent = exponent_of(omega_W);
+    const Vector3d edge = divided_by_power_of_2(size, size_exponent);
+    const Vector3d omega = divided_by_power_of_2(omega_W, rate_exponent);
+    ExactVector half_I, half_L;
+    for (int i = 0; i < 3; ++i) {
+      const double b = edge[(i + 1) % 3];
+      const double c = edge[(i + 2) % 3];
+      const auto axis = static_cast<std::size_t>(i);
+      half_I[axis] = Expansion(two_product(b, b)) + Expansion(two_product(c, c));
+      half_L[axis] = half_I[axis] * omega[i];
+    }
+    return {half_I, half_L, {1.0, 0.0, 0.0, 0.0}, rate_exponent + 2 * size_exponent + 1, rate_exponent};
+  }
+};
+
+TorqueFree::TorqueFree(const Vector3d& I_B, const Quaterniond& q_WB0, const Vector3d& L_W)
+    : TorqueFree([&] {
+        if (!I_B.allFinite() || !(I_B.array() > 0).all()) refuse("principal moments must be positive and finite");
+        const double q_max = q_WB0.coeffs().cwiseAbs().maxCoeff();
+        if (!q_WB0.coeffs().allFinite() || !(q_max > 1e-140 && q_max < 1e140)) {
+          refuse("the initial orientation is not a rotation");
+        }
+        if (!L_W.allFinite()) refuse("the angular momentum must be finite");
+        return Start::of_body(I_B, q_WB0, L_W);
+      }()) {}
+
+TorqueFree TorqueFree::of_book(const Vector3d& size, const Vector3d& omega_W) {
+  if (!size.allFinite() || !(size.array() > 0).all()) refuse("the edges must be positive and finite");
+  if (!omega_W.allFinite()) refuse("the angular velocity must be finite");
+  return TorqueFree(Start::of_book(size, omega_W));
+}
+
+TorqueFree::TorqueFree(const Start& start)
+    : steady_(start.axes.steady),
+      time_scale_(std::ldexp(1.0, start.rate_exponent)),
+      L_(std::ldexp(start.L.hi, start.L_exponent)) {
+  if (!std::isfinite(L_)) refuse("|L| overflows");
+  frames_.fill(Eigen::Vector4d::Zero());
   if (steady_) {
-    turn_rate_ = twice_energy / (L * dd_pi * 4.0);
-    amplitude_ = direction.cast<double>();
-    const QuaternionL q_BC = QuaternionL::FromTwoVectors(Vector3L::UnitZ(), direction);
-    frames_ = frames(q0 * q_BC, q_BC);
-    return;
+    rotate_steadily(start);
+  } else {
+    tumble(start);
   }
+  if (!std::isfinite(time_scale_) || !std::isfinite(turn_rate_.hi) || !std::isfinite(theta_.frequency.hi)) {
+    refuse("|L| / I overflows");
+  }
+}
 
-  // The formulas of torque_free.h, part 1.
-  const Dd G_b = abs(I[c] - I[a]) * I[b];
+// q = q_WB0 (cos, sin l), l the direction of L_B, of half the angle turned.
+void TorqueFree::rotate_steadily(const Start& start) {
+  const Quaterniond q = normalized(start.q_WB0);
+  frames_[0] = q.coeffs();
+  if (!(start.L.hi > 0)) return;
+  turn_rate_ = start.twice_energy / (start.L * dd_pi);
+  const auto& [x, y, z] = start.L_B;
+  frames_[3] = normalized(product(start.q_WB0, {0.0, x, y, z})).coeffs();
+  amplitude_ = {(x / start.L).hi, (y / start.L).hi, (z / start.L).hi};
+}
+
+void TorqueFree::tumble(const Start& start) {
+  const auto& [I, L_B, L, twice_energy, axes, q_WB0, L_exponent, rate_exponent] = start;
+  const auto [a, b, c, gap_a, gap_b, gap_c, excess, steady] = axes;
+
+  // Amplitudes, moduli and rates: section 1.
+  const Dd G_a = gap_a * I[c];
+  const Dd G_b = gap_b * I[b];
+  const Dd G_c = gap_c * I[a];
   const Dd A_a = hypot(abs(L_B[a]), sqrt(G_c / G_b) * abs(L_B[b]));
   const Dd A_c = hypot(abs(L_B[c]), sqrt(G_a / G_b) * abs(L_B[b]));
   const Dd A_b = sqrt(G_b / G_a) * A_c;
-
   EllipticMotion motion;
-  const Dd gap = X_a - X_c;
-  if (gap.hi > 0x1p-96 * X_a.hi) motion.k_prime = sqrt(gap) * sqrt(X_a + X_c) / (sqrt(G_a) * A_a);
+  motion.k_prime = excess / (sqrt(G_a) * A_a);
   motion.k = sqrt(G_c / G_a) * A_c / A_a;
-  motion.lambda = A_a * sqrt(abs(I[b] - I[a]) / I[b] / I[a]) * sqrt(abs(I[c] - I[a]) / I[c] / I[a]);
+  motion.lambda = A_a * sqrt(gap_a / I[b] / I[a]) * sqrt(gap_b / I[c] / I[a]);
   motion.tangent = A_c / (L + A_a);
   motion.rate_at_zero = (twice_energy + A_a * L / I[a]) / ((L + A_a) * 2.0);
   motion.s = I[a] < I[c] ? 1.0 : -1.0;
   theta_ = theta_form(motion);
-  turn_rate_ = theta_.mu / (dd_pi * 2.0);
-  if (!std::isfinite(turn_rate_.hi) || !std::isfinite(theta_.frequency.hi)) {
-    throw std::invalid_argument("torque-free motion: |L| / I overflows");
-  }
-  amplitude_ = Eigen::Vector3d((A_b / L).hi * motion.s, (A_c / L).hi, (A_a / L).hi);
+  turn_rate_ = theta_.mu * 2.0 / dd_pi;
+  amplitude_ = {(A_b / L * theta_.sn_scale).hi * motion.s, (A_c / L * theta_.cn_scale).hi,
+                (A_a / L * theta_.dn_scale).hi};
 
-  // The frame 1, 2, 3: right-handed, L_3 > 0, L_2(0) >= 0.
+  // The axes 1, 2, 3: right-handed, L_3 > 0, L_2(0) >= 0: section 2.
   axis_ = {static_cast<int>(b), static_cast<int>(c), static_cast<int>(a)};
-  Eigen::Vector3d axis_sign(0, L_B[c].hi < 0 ? -1 : 1, L_B[a].hi < 0 ? -1 : 1);
-  axis_sign[0] = axis_sign[1] * axis_sign[2] * ((b + 1) % 3 == c ? 1 : -1);
-  L_axis_ = axis_sign * L_;
-  Matrix3L R_BC = Matrix3L::Zero();
-  for (int i = 0; i < 3; ++i) R_BC(axis_[static_cast<std::size_t>(i)], i) = axis_sign[i];
-  const Vector3L l = R_BC.transpose() * direction;
+  std::array<double, 3> sign{0, L_B[c].hi < 0 ? -1.0 : 1.0, L_B[a].hi < 0 ? -1.0 : 1.0};
+  sign[0] = sign[1] * sign[2] * ((b + 1) % 3 == c ? 1 : -1);
+  L_axis_ = {sign[0] * L_, sign[1] * L_, sign[2] * L_};
+  const Dd L1 = L_B[b] * sign[0];
+  const Dd L2 = L_B[c] * sign[1];
+  const Dd L3 = L_B[a] * sign[2];
+  const Dd u0 = L1 / A_b * motion.s * carlson_rf(L2 / A_c, L3 / A_a, 1.0);
+  phase0_ = u0 * theta_.frequency / motion.lambda;
 
-  const long double sn = l[0] * motion.s * (L / A_b).wide();
-  const long double cn = l[1] * (L / A_c).wide();
-  const long double dn = l[2] * (L / A_a).wide();
-  const long double phase0 = sn * carlson_rf(cn * cn, dn * dn, 1.0L) * (theta_.frequency / motion.lambda).wide();
-  phase0_ = quick_two_sum(static_cast<double>(phase0), static_cast<double>(phase0 - static_cast<double>(phase0)));
-  const long double x0 = phase0 * theta_.period;
-
-  // What the frame of 1, 2, 3 is turned by at t = 0, relative to the frame of L.
-  const ThetaValues<long double> theta = theta_values(theta_, x0);
-  const long double turn = -static_cast<long double>(theta_.kappa) * x0;
-  const QuaternionL about_L = QuaternionL(theta.alpha_re, 0, 0, theta.alpha_im).normalized() *
-                              QuaternionL(std::cos(turn), 0, 0, std::sin(turn));
-  const QuaternionL tilt = QuaternionL(1 + l[2], l[1], -l[0], 0).normalized();
-  const QuaternionL q_BC(R_BC);
-  frames_ = frames(q0 * q_BC * (about_L * tilt).conjugate(), q_BC);
+  // The frame of L, seen from the body at t = 0: the inverse of what alpha and beta give there.
+  const ThetaValues<Dd> theta = theta_at<Dd>(theta_, phase0_);
+  const auto [sine, cosine] = sincos_of_quarters<Dd>(theta.quarters);
+  const DdQuaternion g = cayley_klein(theta.alpha_re * cosine - theta.alpha_im * sine,
+                                      theta.alpha_im * cosine + theta.alpha_re * sine, L1, L2, L + L3);
+  DdQuaternion q_BL{g[0], 0.0, 0.0, 0.0};
+  for (std::size_t i = 0; i < 3; ++i) q_BL[static_cast<std::size_t>(axis_[i]) + 1] = -(g[i + 1] * sign[i]);
+  const Quaterniond q_WL = normalized(product(q_WB0, q_BL));
+  frames_[0] = q_WL.coeffs();
+  for (std::size_t i = 0; i < 3; ++i) {  // the same four numbers in another order and sign
+    Quaterniond unit(0, 0, 0, 0);
+    unit.vec()[axis_[i]] = sign[i];
+    frames_[i + 1] = (q_WL * unit).coeffs();
+  }
 }
 
 RigidState TorqueFree::at(double t) const {
   const double time = t * time_scale_;
-  const Dd turns = two_product(turn_rate_.hi, time);
-  const double fraction = turns.hi - ((turns.hi + to_integer) - to_integer);
-  double angle = 2 * std::numbers::pi * (fraction + (turns.lo + turn_rate_.lo * time));
-  RigidState state;
+  Dd quarters = two_product(turn_rate_.hi, time);
+  quarters.lo += turn_rate_.lo * time;
+  const auto turned = [this](double w, double x, double y, double z) {
+    return Quaterniond((frames_[0] * w + frames_[1] * x) + (frames_[2] * y + frames_[3] * z));
+  };
   if (steady_) {
-    state.q_WB.coeffs().noalias() = frames_.leftCols<2>() * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-    state.L_B = amplitude_ * L_;
-    return state;
+    const auto [sine, cosine] = sincos_of_quarters<double>(quarters);
+    return {turned(cosine, 0, 0, sine), amplitude_ * L_};
   }
 
-  // Periods since u = 0, and x or X within half a period of 0.
   const Dd advance = two_product(theta_.frequency.hi, time);
-  const Dd phase = two_sum(advance.hi, phase0_.hi);
-  const double shifted = phase.hi * theta_.reduce + to_integer;
-  const double rest =
-      (phase.hi - (shifted - to_integer)) + (phase.lo + (advance.lo + theta_.frequency.lo * time + phase0_.lo));
-  const double x = rest * theta_.period;
-  const double parity = std::bit_cast<std::uint64_t>(shifted) % 2 == 0 ? 1 : -1;
-
-  const ThetaValues<double> theta = theta_values(theta_, x);
-  const double l1 = amplitude_[0] * parity * theta.sn;
-  const double l2 = amplitude_[1] * parity * theta.cn;
+  Dd phase = two_sum(advance.hi, phase0_.hi);
+  phase.lo += advance.lo + theta_.frequency.lo * time + phase0_.lo;
+  const ThetaValues<double> theta = theta_at<double>(theta_, phase);
+  const double l1 = amplitude_[0] * theta.sn;
+  const double l2 = amplitude_[1] * theta.cn;
   const double l3 = amplitude_[2] * theta.dn;
+  RigidState state;
   state.L_B[axis_[0]] = L_axis_[0] * l1;
   state.L_B[axis_[1]] = L_axis_[1] * l2;
   state.L_B[axis_[2]] = L_axis_[2] * l3;
 
-  // (alpha, beta) = exp(i angle) alpha (1 + l3, l2 - i l1), of length 1.
-  angle -= theta_.kappa * x;
+  quarters.lo += theta.quarters;
+  const auto [sine, cosine] = sincos_of_quarters<double>(quarters);
   const double square = theta.alpha_re * theta.alpha_re + theta.alpha_im * theta.alpha_im;
-  const double length = 1 / std::sqrt(square * ((1 + l3) * (1 + l3) + l1 * l1 + l2 * l2));
-  const double cosine = std::cos(angle) * length;
-  const double sine = std::sin(angle) * length;
-  const double re = cosine * theta.alpha_re - sine * theta.alpha_im;
-  const double im = cosine * theta.alpha_im + sine * theta.alpha_re;
-  state.q_WB.coeffs().noalias() =
-      frames_ * Eigen::Vector4d((1 + l3) * re, (1 + l3) * im, re * l2 + im * l1, im * l2 - re * l1);
+  const double up = 1 + l3;
+  const double length = 1 / std::sqrt(square * (up * up + l1 * l1 + l2 * l2));
+  const auto [w, x, y, z] = cayley_klein((cosine * theta.alpha_re - sine * theta.alpha_im) * length,
+                                         (cosine * theta.alpha_im + sine * theta.alpha_re) * length, l1, l2, up);
+  state.q_WB = turned(w, x, y, z);
   return state;
 }
 
@@ -236,12 +315,12 @@ double TorqueFree::flip_period() const {
 
 double TorqueFree::first_flip() const {
   if (steady_ || (theta_.reduce == 0 && phase0_.hi > 0)) return std::numeric_limits<double>::infinity();
-  const Dd periods = phase0_.hi > 0 ? Dd(1.0) - phase0_ : -phase0_;
-  return (periods / theta_.frequency).hi / time_scale_;
+  const Dd flips = phase0_.hi > 0 ? Dd(1.0) - phase0_ : -phase0_;
+  return (flips / theta_.frequency).hi / time_scale_;
 }
 
-double intermediate_axis_growth_rate(const Eigen::Vector3d& I_B, double L) {
-  Eigen::Vector3d I = I_B;
+double intermediate_axis_growth_rate(const Vector3d& I_B, double L) {
+  Vector3d I = I_B;
   std::sort(I.begin(), I.end());
   return L / I[1] * std::sqrt((I[1] / I[0] - 1) * (1 - I[1] / I[2]));
 }

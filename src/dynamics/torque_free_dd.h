@@ -1,15 +1,20 @@
-// Double-double arithmetic: an unevaluated sum hi + lo with |lo| <= ulp(hi) / 2, about 31 decimal digits.
+// Extended precision for the setup of TorqueFree: what its phases need to keep 16 digits after 1e15 turns.
 //
-// Only what the setup of TorqueFree needs, so that a phase keeps 16 digits after 1e15 turns.
-// Exact sum: Knuth; exact product: Dekker's splitting (no fused multiply-add, so that every machine gets the same
-// bits). Preconditions: finite values, magnitudes below 1e290; below 1e-290 the low part fades to zero. Source: Dekker,
-// Numer. Math. 18 (1971) 224; Hida, Li & Bailey, ARITH-15 (2001) 155, algorithms 3 to 14.
+// Dd: double-double, an unevaluated sum hi + lo with |lo| <= ulp(hi) / 2, about 31 decimal digits.
+// Expansion: an exact sum of doubles. Exact sum: Knuth; exact product: Dekker's splitting, which rounds as a fused
+// multiply-add would. Only + - * / and the square root of IEEE doubles: every machine gets the same bits.
+// Preconditions: finite values, magnitudes below 1e290; below 1e-290 the low parts fade to zero.
+// Sources: Dekker, Numer. Math. 18 (1971) 224; Hida, Li & Bailey, ARITH-15 (2001) 155, algorithms 3 to 14; Shewchuk,
+// Discrete Comput. Geom. 18 (1997) 305, theorem 10.
 #pragma once
 
-#include <array>
+#include <cfloat>
 #include <cmath>
+#include <vector>
 
 namespace bookspin {
+
+static_assert(FLT_EVAL_METHOD == 0, "doubles must be rounded after every operation");
 
 struct Dd {
   double hi = 0;  // the value, rounded
@@ -18,7 +23,6 @@ struct Dd {
   constexpr Dd() = default;
   constexpr Dd(double hi_, double lo_ = 0) : hi(hi_), lo(lo_) {}  // NOLINT(*-explicit-*): a double is a Dd
   constexpr explicit operator double() const { return hi; }
-  [[nodiscard]] long double wide() const { return static_cast<long double>(hi) + static_cast<long double>(lo); }
 };
 
 inline constexpr Dd dd_pi{3.141592653589793116, 1.2246467991473532072e-16};
@@ -68,11 +72,9 @@ constexpr Dd operator*(Dd a, Dd b) {
 }
 
 constexpr Dd operator/(Dd a, Dd b) {
-  const double first = a.hi / b.hi;
-  Dd rest = a - b * first;
-  const double second = rest.hi / b.hi;
-  rest = rest - b * second;
-  return quick_two_sum(first, second) + rest.hi / b.hi;
+  const double quotient = a.hi / b.hi;
+  const Dd product = two_product(quotient, b.hi);
+  return quick_two_sum(quotient, ((a.hi - product.hi - product.lo) + a.lo - quotient * b.lo) / b.hi);
 }
 
 constexpr bool operator<(Dd a, Dd b) {
@@ -98,31 +100,54 @@ inline Dd hypot(Dd a, Dd b) {
   return a * sqrt(ratio * ratio + 1.0);
 }
 
-// Arithmetic-geometric mean of 1 and 0 < b <= 1: the complete integral K(k) is pi / (2 agm(1, k')) (DLMF 19.8.5).
-inline Dd agm(Dd b) {
-  Dd a = 1.0;
-  while (std::abs(a.hi - b.hi) > 1e-15 * a.hi) {
-    const Dd mean = (a + b) * 0.5;
-    b = sqrt(a * b);
-    a = mean;
+// Exact as long as no product falls below 1e-290.
+class Expansion {
+ public:
+  Expansion(double value = 0) { add(value); }  // NOLINT(*-explicit-*): a double is an Expansion
+  explicit Expansion(Dd value) {
+    add(value.lo);
+    add(value.hi);
   }
-  return (a + b) * 0.5;  // quadratic convergence: the last mean is exact to 1e-31
-}
 
-// Arc tangent of 0 <= v <= 1: three halvings of the angle, then Taylor, in double where its terms are below 1e-16.
-inline Dd atan(Dd v) {
-  static constexpr auto reciprocals = [] {
-    std::array<Dd, 8> table;
-    for (std::size_t i = 0; i < table.size(); ++i) table[i] = Dd(1.0) / (2.0 * static_cast<double>(i) + 1);
-    return table;
-  }();
-  for (int halving = 0; halving < 3; ++halving) v = v / (sqrt(v * v + 1.0) + 1.0);
-  const Dd square = v * v;
-  double tail = 0;
-  for (int odd = 31; odd > 15; odd -= 2) tail = 1.0 / odd - square.hi * tail;
-  Dd sum = tail;
-  for (std::size_t i = reciprocals.size(); i-- > 0;) sum = reciprocals[i] - square * sum;
-  return v * sum * 8.0;
-}
+  friend Expansion operator+(Expansion a, const Expansion& b) {
+    for (const double term : b.terms_) a.add(term);
+    return a;
+  }
+  friend Expansion operator-(Expansion a, const Expansion& b) {
+    for (const double term : b.terms_) a.add(-term);
+    return a;
+  }
+  friend Expansion operator*(const Expansion& a, const Expansion& b) {
+    Expansion product;
+    for (const double x : a.terms_) {
+      for (const double y : b.terms_) {
+        const Dd exact = two_product(x, y);
+        product.add(exact.lo);
+        product.add(exact.hi);
+      }
+    }
+    return product;
+  }
+
+  [[nodiscard]] Dd rounded() const {
+    Dd sum;
+    for (const double term : terms_) sum = sum + term;
+    return sum;
+  }
+
+ private:
+  void add(double term) {
+    std::size_t kept = 0;
+    for (const double part : terms_) {
+      const Dd sum = two_sum(part, term);
+      if (sum.lo != 0) terms_[kept++] = sum.lo;
+      term = sum.hi;
+    }
+    terms_.resize(kept);
+    if (term != 0) terms_.push_back(term);
+  }
+
+  std::vector<double> terms_;  // none zero, from the smallest to the largest, no two overlapping
+};
 
 }  // namespace bookspin

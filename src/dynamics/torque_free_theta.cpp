@@ -3,6 +3,36 @@
 namespace bookspin {
 namespace {
 
+constexpr double negligible = 1e-34;
+constexpr int enough = 40;  // rounds of an iteration that converges within 15
+
+// Arithmetic-geometric mean of 1 and 0 < b <= 1: the complete integral K(k) is pi / (2 agm(1, k')) (DLMF 19.8.5).
+Dd agm(Dd b) {
+  Dd a = 1.0;
+  for (int round = 0; round < enough && std::abs(a.hi - b.hi) > 1e-15 * a.hi; ++round) {
+    const Dd mean = (a + b) * 0.5;
+    b = sqrt(a * b);
+    a = mean;
+  }
+  return (a + b) * 0.5;  // quadratic convergence: the last mean is exact to 1e-31
+}
+
+// Arc tangent of 0 <= v <= 1: three halvings of the angle, then Taylor, in double where its terms are below 1e-16.
+Dd atan(Dd v) {
+  static constexpr auto reciprocals = [] {
+    std::array<Dd, 8> table;
+    for (std::size_t i = 0; i < table.size(); ++i) table[i] = Dd(1.0) / (2.0 * static_cast<double>(i) + 1);
+    return table;
+  }();
+  for (int halving = 0; halving < 3; ++halving) v = v / (sqrt(v * v + 1.0) + 1.0);
+  const Dd square = v * v;
+  double tail = 0;
+  for (int odd = 31; odd > 15; odd -= 2) tail = 1.0 / odd - square.hi * tail;
+  Dd sum = tail;
+  for (std::size_t i = reciprocals.size(); i-- > 0;) sum = reciprocals[i] - square * sum;
+  return v * sum * 8.0;
+}
+
 // q = epsilon + 2 epsilon^5 + 15 epsilon^9 + ..., DLMF 19.5.6; here epsilon < 0.0433, and double is enough from the
 // fourth term.
 Dd nome_over_epsilon(Dd epsilon) {
@@ -13,8 +43,6 @@ Dd nome_over_epsilon(Dd epsilon) {
   return ((fourth * (Dd(15.0) + tail)) + 2.0) * fourth + 1.0;
 }
 
-constexpr double negligible = 1e-34;
-
 // Theta functions at a point of the imaginary axis, or their image: each Real is a double or a Dd.
 template <class Real>
 struct ThetaSums {
@@ -22,10 +50,19 @@ struct ThetaSums {
   Real slope;            // d(arg alpha)/dx at x = 0, times partner
 };
 
-// At z = i eta, nome Q = p^2, in terms of c = 2 sqrt(p) sinh eta: theta1 / i and theta4 are polynomials in e = 2 p cosh
-// 2 eta: U_n = p^n sinh((2n+1) eta) / sinh eta, V_n = 2 p^n cosh 2n eta, W_n = p^n sinh 2n eta / sinh 2 eta.
+// c sqrt(c^2 + 4 p), divided by c^2, with p = r^2: squares of tiny values do not underflow.
 template <class Real>
-ThetaSums<Real> trigonometric_sums(Real c, Real p) {
+Real root_over_c(Real c, Real r) {
+  using std::sqrt;  // or, by argument, that of Dd
+  const Real ratio = r * 2.0 / c;
+  return sqrt(ratio * ratio + 1.0);
+}
+
+// At z = i eta, nome Q = p^2, p = r^2, in terms of c = 2 r sinh eta: theta1 / i and theta4 are polynomials in e = 2 p
+// cosh 2 eta: U_n = p^n sinh((2n+1) eta) / sinh eta, V_n = 2 p^n cosh 2n eta, W_n = p^n sinh 2n eta / sinh 2 eta.
+template <class Real>
+ThetaSums<Real> trigonometric_sums(Real c, Real r) {
+  const Real p = r * r;
   const Real c2 = c * c;
   const Real e = c2 + p * 2.0;
   const Real p2 = p * p;
@@ -57,8 +94,7 @@ ThetaSums<Real> trigonometric_sums(Real c, Real p) {
     step = step * p4;
   }
   sums.theta1 = sums.theta1 * c;
-  using std::sqrt;  // or, by argument, that of Dd
-  sums.slope = sums.slope * c * sqrt(c2 + p * 4.0);
+  sums.slope = sums.slope * c2 * root_over_c(c, r);
   return sums;
 }
 
@@ -113,87 +149,59 @@ Dd solve(Dd target, const Sums& sums, const Slope& slope) {
   return Dd(root) - (at.theta1 / at.partner - target).hi / slope(root);
 }
 
-double theta3_squared(double Q) {
-  const double Q4 = Q * Q * Q * Q;
-  const double theta3 = 1 + 2 * (Q + Q4 + Q4 * Q4 * Q);
-  return theta3 * theta3;
-}
-
-double rounded(long double x) {
-  return static_cast<double>(x);
-}
-
-// theta1..4(x, p) and alpha = theta4(x + i s eta, p^2) as polynomials in C = cos 2x.
-void trigonometric_coefficients(long double p, long double c, long double root_k_prime, long double s,
-                                ThetaForm& form) {
-  const auto power = [p](int n) {
-    long double product = 1;
-    for (int i = 0; i < n; ++i) product *= p;
-    return product;
-  };
-  const long double p2 = power(2), p4 = power(4), p6 = power(6), p9 = power(9), p12 = power(12), p16 = power(16),
-                    p20 = power(20);
-  const long double theta2_0 = 1 + p2 + p6 + p12 + p20 + p20 * p9 * p;
-  const long double theta3_0 = 1 + 2 * (p + p4 + p9 + p16 + p16 * p9);
-  const long double to_sn = theta3_0 / theta2_0;
-  const long double to_cn = root_k_prime * theta3_0 / theta2_0;
-  form.theta1 = {rounded(to_sn * (1 - p2 - p6 + p12 + p20)), rounded(to_sn * (-2 * p2 + 2 * p6 + 4 * p12 - 4 * p20)),
-                 rounded(to_sn * (4 * p6 - 4 * p12 - 12 * p20)), rounded(to_sn * (-8 * p12 + 8 * p20)),
-                 rounded(to_sn * 16 * p20)};
-  form.theta2 = {rounded(to_cn * (1 - p2 - p6 + p12 + p20)), rounded(to_cn * (2 * p2 - 2 * p6 - 4 * p12 + 4 * p20)),
-                 rounded(to_cn * (4 * p6 - 4 * p12 - 12 * p20)), rounded(to_cn * (8 * p12 - 8 * p20)),
-                 rounded(to_cn * 16 * p20)};
-  form.even = {rounded(1 - 2 * p4 + 2 * p16), rounded(4 * p4 - 16 * p16), rounded(16 * p16)};
-  form.odd = {rounded(2 * p - 6 * p9), rounded(8 * p9)};
-  form.dn_scale = rounded(root_k_prime);
-
-  // y = sqrt(p) exp(eta) and p / y = sqrt(p) exp(-eta) stay finite when p = 0.
-  const long double y = (c + std::sqrt(c * c + 4 * p)) / 2;
-  const long double up = y * y;
-  const long double down = p / y * (p / y);
-  const long double w1 = -p, w2 = p6, w3 = -(power(15));
-  const long double re1 = w1 * (up + down), re2 = w2 * (up * up + down * down);
-  const long double re3 = w3 * (up * up * up + down * down * down);
-  const long double im1 = -s * w1 * (up - down), im2 = -s * w2 * (up * up - down * down);
-  const long double im3 = -s * w3 * (up * up * up - down * down * down);
-  form.alpha_re = {rounded(1 - re2), rounded(re1 - 3 * re3), rounded(2 * re2), rounded(4 * re3)};
-  form.alpha_im = {rounded(2 * (im1 - im3)), rounded(4 * im2), rounded(8 * im3), 0};
-}
-
-// theta1..4(2 i X, Q'^2) as polynomials in J = 2 q' cosh 4X, q' = Q'^2, and alpha = theta2(-s eta' + i X, Q') as
-// polynomials in H = 2 Q' cosh 2X.
-void hyperbolic_coefficients(long double Q, long double tangent, long double s, ThetaForm& form) {
-  const long double q = Q * Q;
-  const long double q2 = q * q, q4 = q2 * q2, q5 = q4 * q, q6 = q5 * q;
-  const long double theta2_0 = 1 + q2 + q6;
-  const long double theta3_0 = 1 + 2 * q + 2 * q4;
-  const long double theta4_0 = 1 - 2 * q + 2 * q4;
-  const long double to_sn = theta3_0 / theta4_0;
-  form.theta1 = {rounded(to_sn * (1 - q2 - q6)), rounded(to_sn * (-q + q5)), rounded(to_sn * q4), 0, 0};
-  form.theta2 = {rounded(1 - q2 - q6), rounded(q - q5), rounded(q4), 0, 0};
-  form.even = {rounded(1 - 2 * q4), rounded(q2), 0};
-  form.cn_scale = rounded(theta2_0 / theta4_0);
-  form.dn_scale = rounded(theta2_0 / theta3_0);
-
-  std::array<long double, 4> re{};
-  std::array<long double, 4> im{};
-  const long double cosine = 1 / std::sqrt(1 + tangent * tangent);
-  const long double sine = s * tangent * cosine;
-  const long double cos2 = (cosine - sine) * (cosine + sine);
-  const long double sin2 = 2 * sine * cosine;
-  re[0] = cosine;
-  im[0] = sine;
-  for (std::size_t n = 1; n < 4; ++n) {
-    re[n] = re[n - 1] * cos2 - im[n - 1] * sin2;
-    im[n] = im[n - 1] * cos2 + re[n - 1] * sin2;
+double power(double x, std::size_t n) {
+  double product = 1;
+  for (; n > 0; n /= 2, x *= x) {
+    if (n % 2 == 1) product *= x;
   }
-  const long double Q2 = q, Q4 = q2, Q5 = q2 * Q, Q6 = q2 * q, Q9 = q4 * Q, Q10 = q5, Q11 = q5 * Q, Q12 = q6;
-  form.alpha_re = {rounded(re[0] - Q2 * re[1] - Q6 * re[2] + Q12 * re[3]),
-                   rounded(Q * re[1] - Q5 * re[2] - 2 * Q11 * re[3]), rounded(Q4 * re[2] - Q10 * re[3]),
-                   rounded(Q9 * re[3])};
-  form.alpha_im = {rounded(im[0] + Q2 * im[1] - Q6 * im[2] - Q12 * im[3]),
-                   rounded(Q * im[1] + Q5 * im[2] - 2 * Q11 * im[3]), rounded(Q4 * im[2] + Q10 * im[3]),
-                   rounded(Q9 * im[3])};
+  return product;
+}
+
+// w_0 + sum of w_n v_n, v_0 = 2, v_1 = x, v_(n+1) = x v_n - beta v_(n-1), as coefficients of powers of x (Clenshaw):
+// v_n = 2 p^n cos 2nx is a polynomial in x = 2 p cos 2x, with beta = p^2; with cosh as well.
+template <std::size_t N>
+std::array<double, N> in_powers(const std::array<double, N>& w, double beta) {
+  std::array<double, N> b{};
+  std::array<double, N> b_before{};
+  for (std::size_t n = N - 1; n > 0; --n) {
+    std::array<double, N> next{};
+    next[0] = w[n] - beta * b_before[0];
+    for (std::size_t i = 1; i < N; ++i) next[i] = b[i - 1] - beta * b_before[i];
+    b_before = b;
+    b = next;
+  }
+  std::array<double, N> sum{};
+  sum[0] = w[0] - 2 * beta * b_before[0];
+  for (std::size_t i = 1; i < N; ++i) sum[i] = b[i - 1] - 2 * beta * b_before[i];
+  return sum;
+}
+
+// Sum of t_n p^(n (n+1)) sin((2n+1) x) / sin x = 1 + 2 cos 2x + ... + 2 cos 2nx, likewise.
+template <std::size_t N>
+std::array<double, N> odd_multiples(const std::array<double, N>& t, double p) {
+  std::array<double, N> w{};
+  for (std::size_t j = 0; j < N; ++j) {
+    for (std::size_t n = N; n-- > j;) w[j] += t[n] * power(p, n * (n + 1) - j);
+  }
+  return in_powers(w, p * p);
+}
+
+// theta1..4(x, p), in powers of 2 p cos 2x; or of 2 p cosh 2x for imaginary x.
+void elliptic_polynomials(double p, ThetaForm& form) {
+  form.theta12 = odd_multiples<5>({1, -1, 1, -1, 1}, p);
+  form.theta34 = in_powers<5>({1, 1, power(p, 2), power(p, 6), power(p, 12)}, p * p);
+}
+
+struct ThetaConstants {
+  Dd theta2, theta3, theta4;  // theta2 over 2 p^(1/4)
+};
+
+ThetaConstants theta_constants(Dd p) {
+  const Dd p2 = p * p;
+  const double q = p.hi;
+  const Dd even = Dd(1.0) + 2 * (power(q, 4) + power(q, 16));
+  const Dd odd = (p + power(q, 9) + power(q, 25)) * 2.0;
+  return {p2 + 1.0 + (power(q, 6) + power(q, 12) + power(q, 20) + power(q, 30)), even + odd, even - odd};
 }
 
 ThetaForm trigonometric_form(const EllipticMotion& motion) {
@@ -201,25 +209,46 @@ ThetaForm trigonometric_form(const EllipticMotion& motion) {
   // Landen: Q is the nome of k1 = (1 - k') / (1 + k'), k1' = 2 sqrt k' / (1 + k'); k1 and 1 - sqrt k1' from k, not from
   // 1 - k'.
   const Dd root_k_prime = sqrt(motion.k_prime);
-  const Dd k_over = motion.k / (motion.k_prime + 1.0);
-  const Dd k1 = k_over * k_over;
+  const Dd root_k1 = motion.k / (motion.k_prime + 1.0);
   const Dd k1_prime = root_k_prime * 2.0 / (motion.k_prime + 1.0);
-  const Dd half = k1 / (sqrt(k1_prime + 1.0) * (sqrt(k1_prime) + 1.0));
-  const Dd epsilon = half * half * 0.5;
-  const Dd p = half * sqrt(nome_over_epsilon(epsilon) * 0.5);
+  const Dd divisor = sqrt(k1_prime + 1.0) * (sqrt(k1_prime) + 1.0);
+  const Dd half = root_k1 * root_k1 / divisor;
+  const Dd r = root_k1 * sqrt(sqrt(nome_over_epsilon(half * half * 0.5) * 0.5) / divisor);
+  const Dd p = r * r;
 
   const Dd rate = motion.lambda * agm(motion.k_prime);
   form.frequency = rate / dd_pi;
-  form.period = dd_pi.hi;
   // d(theta1 / i theta4)/d eta = theta3(Q)^2 sqrt((k1 + T^2)(1 + k1 T^2)), d eta / dc = 1 / sqrt(c^2 + 4 p).
-  const double T2 = motion.tangent.hi * motion.tangent.hi;
-  const double by_eta = theta3_squared(p.hi * p.hi) * std::sqrt((k1.hi + T2) * (1 + k1.hi * T2));
+  const double T = motion.tangent.hi;
+  const double theta3 = theta_constants(p * p).theta3.hi;
+  const double by_eta =
+      theta3 * theta3 * root_over_c(T, root_k1.hi / 2) * std::sqrt(1 + root_k1.hi * root_k1.hi * T * T);  // over T
   const Dd c = solve(
-      motion.tangent, [&](auto at) { return trigonometric_sums(at, decltype(at)(p)); },
-      [&](double at) { return by_eta / std::sqrt(at * at + 4 * p.hi); });
-  const auto sums = trigonometric_sums(c, p);
+      motion.tangent, [&](auto at) { return trigonometric_sums(at, decltype(at)(r)); },
+      [&](double at) { return by_eta * (T / at) / root_over_c(at, r.hi); });
+  const auto sums = trigonometric_sums(c, r);
   form.mu = motion.rate_at_zero - rate * sums.slope / sums.partner * motion.s;
-  trigonometric_coefficients(p.wide(), c.wide(), root_k_prime.wide(), motion.s, form);
+
+  form.nome = p.hi;
+  elliptic_polynomials(p.hi, form);
+  const ThetaConstants at_zero = theta_constants(p);
+  form.sn_scale = at_zero.theta3 / at_zero.theta2;
+  form.cn_scale = root_k_prime * form.sn_scale;
+  form.dn_scale = root_k_prime;
+
+  // theta4(x + i s eta, Q) = 1 + sum of (-1)^n Q^(n^2) 2 cos(2n (x + i s eta)); sqrt(p) exp(+-eta) are finite at p = 0.
+  const double y = c.hi * (1 + root_over_c(c.hi, r.hi)) / 2;
+  const double up = y * y;
+  const double down = power(r.hi * (r.hi / y), 2);
+  std::array<double, 4> re{1, 0, 0, 0};
+  std::array<double, 4> im{};
+  for (std::size_t n = 1; n < 4; ++n) {
+    const double weight = (n % 2 == 0 ? 0.5 : -0.5) * power(p.hi, 2 * n * (n - 1));
+    re[n] = weight * (power(up, n) + power(down, n));
+    im[n] = -motion.s * 4 * p.hi * weight * (power(up, n) - power(down, n));
+  }
+  form.alpha_re = in_powers(re, power(p.hi, 2));
+  form.alpha_im = {im[1] - power(p.hi, 2) * im[3], im[2], im[3], 0};
   return form;
 }
 
@@ -231,13 +260,13 @@ ThetaForm hyperbolic_form(const EllipticMotion& motion) {
   const Dd root = sqrt(k1) + 1.0;
   const Dd epsilon = motion.k_prime / ((motion.k_prime + 1.0) * root * root);
   const Dd nome = epsilon * nome_over_epsilon(epsilon);
-  form.nome = nome.hi;
 
   const Dd agm_k = agm(motion.k);
   const Dd rate = motion.lambda * agm_k * 0.5;
   // d(theta1 / theta2)/d eta' = theta3(Q')^2 sqrt((k1 + T^2)(1 + k1 T^2)), d eta' / dv = 1 / (1 + v^2).
   const double T2 = motion.tangent.hi * motion.tangent.hi;
-  const double by_eta = theta3_squared(nome.hi) * std::sqrt((k1.hi + T2) * (1 + k1.hi * T2));
+  const double theta3 = theta_constants(nome).theta3.hi;
+  const double by_eta = theta3 * theta3 * std::sqrt((k1.hi + T2) * (1 + k1.hi * T2));
   const Dd v = solve(
       motion.tangent, [&](auto at) { return hyperbolic_sums(at, decltype(at)(nome)); },
       [&](double at) { return by_eta / (1 + at * at); });
@@ -249,13 +278,35 @@ ThetaForm hyperbolic_form(const EllipticMotion& motion) {
     form.frequency = rate / period;
     form.period = period.hi;
     form.limit = std::min(form.limit, 0.5 * form.period);
-    form.kappa = kappa.hi;
+    form.kappa = (kappa * 2.0 / dd_pi).hi;
     form.mu = form.mu + kappa * rate;
   } else {
     form.frequency = rate;
     form.reduce = 0;
   }
-  hyperbolic_coefficients(nome.wide(), v.wide(), motion.s, form);
+
+  const double Q = nome.hi;
+  form.nome = Q;
+  elliptic_polynomials(Q * Q, form);
+  const ThetaConstants at_zero = theta_constants(nome * nome);
+  form.sn_scale = at_zero.theta3 / at_zero.theta4;
+  form.cn_scale = at_zero.theta2 / at_zero.theta4;
+  form.dn_scale = at_zero.theta2 / at_zero.theta3;
+
+  // theta2(-s eta' + i X, Q') = sum of Q'^(n (n+1)) cos((2n+1)(-s eta' + i X)), over cos eta'.
+  const double w = 2 * (1 - v.hi * v.hi) / (1 + v.hi * v.hi);
+  std::array<double, 4> S{1, w + 1, 0, 0};
+  std::array<double, 4> C{1, w - 1, 0, 0};
+  for (std::size_t n = 2; n < 4; ++n) {
+    S[n] = w * S[n - 1] - S[n - 2];
+    C[n] = w * C[n - 1] - C[n - 2];
+  }
+  form.alpha_re = odd_multiples<4>({C[0], -C[1], C[2], -C[3]}, Q);
+  form.alpha_im = odd_multiples(S, Q);
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (i % 2 == 1) form.alpha_re[i] = -form.alpha_re[i];
+    form.alpha_im[i] = (v * form.alpha_im[i]).hi * motion.s;
+  }
   return form;
 }
 

@@ -33,7 +33,20 @@ inline double geodesic_angle(const Eigen::Quaterniond& q, const WideQuaternion& 
 
 class TaylorBody {
  public:
-  // q need not be normalised.
+  // The book of book.h with particles of mass 1, its moments not rounded.
+  static TaylorBody of_book(const Eigen::Vector3d& size, const Eigen::Vector3d& omega_W) {
+    TaylorBody body({1, 1, 1}, Eigen::Quaterniond::Identity(), {0, 0, 0});
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Wide b = size[static_cast<int>(i + 1) % 3];
+      const Wide c = size[static_cast<int>(i + 2) % 3];
+      const Wide I = 2 * (b * b + c * c);
+      body.inverse_I_[i] = 1 / I;
+      body.L_[i] = I * omega_W[static_cast<int>(i)];
+    }
+    return body;
+  }
+
+  // q need not be normalized.
   TaylorBody(const Eigen::Vector3d& I_B, const Eigen::Quaterniond& q_WB0, const Eigen::Vector3d& L_W) {
     q_ = {q_WB0.w(), q_WB0.x(), q_WB0.y(), q_WB0.z()};
     Wide norm = 0;
@@ -47,6 +60,7 @@ class TaylorBody {
 
   [[nodiscard]] const Wide& time() const { return t_; }
   [[nodiscard]] const std::array<Wide, 3>& L_B() const { return L_; }
+  [[nodiscard]] const std::array<Wide, 3>& inverse_I() const { return inverse_I_; }
   [[nodiscard]] const WideQuaternion& q_WB() const { return q_; }
 
   void advance_to(const Wide& t) {
