@@ -45,23 +45,24 @@ void stages(const fs::path& script, const fs::path& folder) {
 }
 
 void whole_job(const fs::path& folder) {
-  std::vector<FilmOrder> orders;
+  std::vector<Film> films;
   for (const auto& entry : fs::directory_iterator(project / "videos")) {
-    if (entry.path().extension() == ".toml") orders.push_back({entry.path(), folder, {}});
+    if (entry.path().extension() == ".toml") films.push_back(load_film(entry.path(), {}));
   }
-  std::sort(orders.begin(), orders.end(), [](const auto& a, const auto& b) { return a.script < b.script; });
+  std::sort(films.begin(), films.end(), [](const auto& a, const auto& b) { return a.file < b.file; });
   const int workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   Progress progress;
   const double cpu = cpu_ns();
   const auto start = std::chrono::steady_clock::now();
-  for (const FilmOutcome& outcome : shoot_all(orders, project, workers, progress)) {
-    if (!outcome.error.empty()) fmt::print("{}: {}\n", outcome.order.script.string(), outcome.error);
+  const std::vector<FilmOutcome> outcomes = shoot_all(films, folder, project, workers, progress);
+  for (std::size_t i = 0; i < films.size(); ++i) {
+    if (!outcomes[i].error.empty()) fmt::print("{}: {}\n", films[i].file.string(), outcomes[i].error);
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const double cpu_seconds = (cpu_ns() - cpu) / 1e9;
-  const double frames = static_cast<double>(progress.frames_done.load());
+  const double frames = static_cast<double>(progress.frames_drawn.load());
   fmt::print("whole job: {} films, {:.0f} frames in {:.1f} s by {} workers: {:.0f} frames/s (floor on 2 cores: 80)\n",
-             orders.size(), frames, seconds, workers, frames / seconds);
+             films.size(), frames, seconds, workers, frames / seconds);
   fmt::print("  CPU time {:.1f} s: with every core to itself {:.0f} frames/s\n", cpu_seconds,
              frames * workers / cpu_seconds);
   fmt::print("  peak memory {:.0f} MB\n", peak_mb());

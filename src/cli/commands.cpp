@@ -18,6 +18,7 @@
 #include "cli/standard_output.h"
 #include "cli/watch.h"
 #include "files/files.h"
+#include "film/film_data.h"
 #include "film/shoot.h"
 #include "image/compare.h"
 #include "image/png.h"
@@ -53,18 +54,26 @@ fs::path folder_or(const std::string& folder, const fs::path& otherwise) {
   return folder.empty() ? otherwise : fs::path(folder);
 }
 
-// The scene of a script; nothing, with its message shown, when there is none: others may be good.
-std::optional<Scene> try_load(const fs::path& script, const Options& options) {
+// What a script holds; nothing, with its message shown, when it cannot be read: others may be good.
+template <class Load>
+auto try_load(const Load& load) -> std::optional<decltype(load())> {
   try {
-    return load_scene(script, options.overrides);
+    return load();
   } catch (const std::exception& error) {
     complain(error.what());
     return {};
   }
 }
 
-MadeWith made_with(const Options& options) {
-  return {options.width, options.height, options.first_frame, options.end_frame, options.overrides};
+std::optional<Scene> try_load_scene(const fs::path& script, const Options& options) {
+  return try_load([&] { return load_scene(script, options.overrides); });
+}
+
+void refuse_to_replace(const fs::path& script, const fs::path& output) {
+  std::error_code ignored;  // of an output that does not exist
+  if (fs::equivalent(script, output, ignored)) {
+    throw WrongCall(fmt::format("--output: found '{}'; allowed: not the script itself", output.string()));
+  }
 }
 
 int cores() {
@@ -110,7 +119,7 @@ int list_scenes(const Options& options) {
   const fs::path folder = options.folder.empty() ? find_assets(options.assets) / "videos" : fs::path(options.folder);
   bool good = true;
   for (const fs::path& script : scripts_in(folder)) {
-    const std::optional<Scene> scene = try_load(script, options);
+    const std::optional<Scene> scene = try_load_scene(script, options);
     good = good && scene;
     if (!scene) continue;
     const double seconds = static_cast<double>(scene->clip.frames) / scene->clip.fps;
@@ -123,78 +132,72 @@ int list_scenes(const Options& options) {
 int render_scenes(const Options& options) {
   const fs::path folder = folder_or(options.folder, "site");
   const fs::path assets = find_assets(options.assets);
-  const std::vector<fs::path> inputs{assets / "shaders", assets / "textures", "/proc/self/exe"};
-  std::vector<FilmOrder> orders;
+  const FilmSettings settings{options.width,     options.height,    options.first_frame,
+                              options.end_frame, options.overrides, fingerprint_of_drawing(assets)};
+  std::vector<Film> films;
   std::vector<std::string> not_made;  // names of scripts
-  long frames = 0;
   for (const std::string& script : options.scenes) {
-    const FilmOrder order{script, folder, made_with(options)};
     for (const std::string& other : options.scenes) {
-      if (&other != &script && fs::path(other).stem() == order.script.stem()) {
+      if (&other != &script && fs::path(other).stem() == fs::path(script).stem()) {
         throw WrongCall(fmt::format("{} and {} would make the same film", other, script));
       }
     }
-    const std::optional<Scene> scene = try_load(script, options);
-    if (!scene) {
-      not_made.push_back(order.script.filename().string());
-      continue;
+    std::optional<Film> film = try_load([&] { return load_film(script, settings); });
+    if (!film) {
+      not_made.push_back(fs::path(script).filename().string());
+    } else if (!options.update || !is_up_to_date(*film, products(*film, folder))) {
+      films.push_back(std::move(*film));
     }
-    const int end = options.end_frame < 0 ? scene->clip.frames : options.end_frame;
-    if (options.first_frame >= end || end > scene->clip.frames) {
-      throw WrongCall(fmt::format("--frames: found '{}:{}'; allowed: A:B with 0 <= A < B <= {} for {}",
-                                  options.first_frame, end, scene->clip.frames, script));
-    }
-    if (options.update && is_up_to_date(order, inputs)) continue;
-    orders.push_back(order);
-    frames += end - options.first_frame;
   }
-  const std::size_t up_to_date = options.scenes.size() - orders.size() - not_made.size();
+  const std::size_t up_to_date = options.scenes.size() - films.size() - not_made.size();
 
   Progress progress;
   bool good = not_made.empty();
-  std::size_t made = 0;
-  if (!orders.empty()) {
+  if (!films.empty()) {
     std::vector<FilmOutcome> outcomes;
     double seconds = 0.0;
     {
-      Watch watch(progress, frames, static_cast<int>(orders.size()));
-      outcomes = shoot_all(orders, assets, options.jobs > 0 ? options.jobs : cores(), progress);
+      const Watch watch(progress, films);
+      outcomes = shoot_all(films, folder, assets, options.jobs > 0 ? options.jobs : cores(), progress, options.stop);
       seconds = watch.seconds();
     }
-    for (const FilmOutcome& outcome : outcomes) {
-      const std::string script = outcome.order.script.filename().string();
+    for (std::size_t i = 0; i < films.size(); ++i) {
+      const Film& film = films[i];
+      const FilmOutcome& outcome = outcomes[i];
+      const std::string script = film.file.filename().string();
+      if (!outcome.error.empty()) complain(fmt::format("{}: {}", script, outcome.error));
       if (!outcome.receipt) {
         good = false;
-        complain(fmt::format("{}: {}", script, outcome.error));
         not_made.push_back(script);
         continue;
       }
       const FilmReceipt& r = *outcome.receipt;
-      ++made;
       good = good && unmet(r.verdicts) == 0;
-      const std::string length = fmt::format("{:5} frames {:6.2f} s", r.frames, static_cast<double>(r.frames) / r.fps);
-      print(fmt::format("{:34} {:21} {:>9}  {}\n", r.product.filename().string(), r.frames == 1 ? "    still" : length,
+      const double length = static_cast<double>(film.frames()) / film.scene.clip.fps;
+      print(fmt::format("{:34} {:21} {:>9}  {}\n", r.product.filename().string(),
+                        film.is_still() ? "    still" : fmt::format("{:5} frames {:6.2f} s", film.frames(), length),
                         readable_size(r.bytes), met_of(r.verdicts)));
       print_verdicts(r.verdicts, false);
     }
-    const long drawn = progress.frames_done;
+    const long drawn = progress.frames_drawn;
     const std::string rate = drawn > 1 ? fmt::format(" ({:.0f} frames/s)", static_cast<double>(drawn) / seconds) : "";
-    print(fmt::format("{} of {} made in {}, {} in {:.1f} s{}\n", made, options.scenes.size() - up_to_date,
-                      folder.string(), counted(drawn, "frame"), seconds, rate));
+    print(fmt::format("{} of {} made in {}, {} in {:.1f} s{}\n", progress.films_done.load(),
+                      options.scenes.size() - up_to_date, folder.string(), counted(drawn, "frame"), seconds, rate));
   }
   if (up_to_date > 0) print(fmt::format("{} up to date in {}\n", counted(up_to_date, "film"), folder.string()));
   if (!not_made.empty()) print(fmt::format("not made: {}\n", fmt::join(not_made, ", ")));
-  if (progress.stop) throw Stopped();
+  if (options.stop.stop_requested()) throw Stopped();
   return good ? 0 : 1;
 }
 
 int draw_scene_frame(const Options& options) {
   const fs::path assets = find_assets(options.assets);
+  refuse_to_replace(options.scenes.front(), options.output);
   const Scene scene = load_scene(options.scenes.front(), options.overrides);
   if (options.frame >= scene.clip.frames) {
     throw WrongCall(fmt::format("--frame: found '{}'; allowed: 0 to {}", options.frame, scene.clip.frames - 1));
   }
-  write_png(options.output, draw_frame(scene, options.frame, options.width, options.height, assets));
+  write_png(options.output, draw_frame(scene, options.frame, options.width, options.height, assets, options.stop));
   return 0;
 }
 
@@ -204,12 +207,12 @@ int check_scenes(const Options& options) {
   std::vector<std::string> not_read;
   for (const std::string& file : options.scenes) {
     const std::string script = fs::path(file).filename().string();
-    const std::optional<Scene> scene = try_load(file, options);
+    const std::optional<Scene> scene = try_load_scene(file, options);
     if (!scene) {
       not_read.push_back(script);
       continue;
     }
-    const std::vector<Verdict> verdicts = judge(*scene, simulate(*scene));
+    const std::vector<Verdict> verdicts = judge(*scene, simulate(*scene, options.stop));
     ++(unmet(verdicts) == 0 ? met : failed);
     print(fmt::format("{}: {}\n", script, met_of(verdicts)));
     print_verdicts(verdicts, true);
@@ -222,11 +225,15 @@ int check_scenes(const Options& options) {
 }
 
 int write_trajectory(const Options& options) {
+  refuse_to_replace(options.scenes.front(), options.output);
   const Scene scene = load_scene(options.scenes.front(), options.overrides);
-  const Trajectory trajectory = simulate(scene);
+  const Trajectory trajectory = simulate(scene, options.stop);
   const auto write = [&](std::ostream& out) {
     out << trajectory_csv_header() << '\n';
-    for (int frame = 0; out && frame < scene.clip.frames; ++frame) out << trajectory_csv_rows(scene, trajectory, frame);
+    for (int frame = 0; out && frame < scene.clip.frames; ++frame) {
+      if (options.stop.stop_requested()) throw Stopped();
+      out << trajectory_csv_rows(scene, trajectory, frame);
+    }
   };
   if (!options.output.empty()) {
     write_file(options.output, write);

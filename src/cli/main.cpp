@@ -1,10 +1,11 @@
 // bookspin: parse, call, one catch, exit code. 0: everything was made and every expectation met; 1: not so; 2: a wrong
-// call.
+// call; 128 + N: stopped by signal N.
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -14,6 +15,7 @@
 #include "cli/options.h"
 #include "cli/standard_output.h"
 #include "cli/version.h"
+#include "cli/watch.h"
 
 namespace bookspin {
 namespace {
@@ -22,7 +24,8 @@ constexpr const char* about =
     "Films of a tumbling book: scene scripts (TOML) -> MP4, and the numbers behind them.\n"
     "The paper's figures come with it; `bookspin list` shows them.";
 constexpr const char* exit_codes =
-    "Exit code: 0 when everything was made and every expectation met, 1 when not, 2 for a wrong call.";
+    "Exit code: 0 when everything was made and every expectation met, 1 when not, 2 for a wrong call,\n"
+    "128 + N when signal N has stopped it.";
 
 struct Command {
   const char* name;
@@ -136,7 +139,11 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // help or version
+    if (error.get_exit_code() == 0) {  // help or version
+      app.exit(error);
+      finish_output();
+      return 0;
+    }
     const std::vector<CLI::App*> parsed = app.get_subcommands();
     const bool is_command = !parsed.empty();
     const CLI::App& at = is_command ? *parsed.front() : app;
@@ -144,7 +151,16 @@ int run(int argc, char** argv) {
     throw WrongCall(fmt::format("{}\n`{} --help` explains", what_is_wrong(at, is_command, error), name));
   }
   const std::string name = app.get_subcommands().front()->get_name();
-  return std::find_if(commands.begin(), commands.end(), [&](const Command& c) { return c.name == name; })->run(options);
+  const Command& command =
+      *std::find_if(commands.begin(), commands.end(), [&](const Command& c) { return c.name == name; });
+  const auto run_to_the_end = [&](const std::stop_token& stop) {
+    options.stop = stop;
+    const int exit_code = command.run(options);
+    finish_output();
+    return exit_code;
+  };
+  // The report measures for minutes without a look at the token: it ends by the signal itself.
+  return command.run == report ? run_to_the_end({}) : stoppable(run_to_the_end);
 }
 
 }  // namespace
@@ -156,10 +172,9 @@ int main(int argc, char** argv) {
     return exit_code;
   };
   bookspin::reserve_standard_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows beyond the user's limit is an error like a full disk
   try {
-    const int exit_code = bookspin::run(argc, argv);
-    bookspin::finish_output();
-    return exit_code;
+    return bookspin::run(argc, argv);
   } catch (const bookspin::WrongCall& error) {
     return failed(error.what(), 2);
   } catch (const std::bad_alloc&) {

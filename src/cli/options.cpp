@@ -112,12 +112,12 @@ void frames_option(CLI::App& command, Options& options) {
         const std::string_view from = std::string_view(text).substr(0, colon);
         const std::string_view to = colon == std::string::npos ? "?" : std::string_view(text).substr(colon + 1);
         const auto first = from.empty() ? 0 : number_in<int>(from);
-        const auto end = to.empty() ? -1 : number_in<int>(to);
-        if (!first || !end || *first < 0 || (!to.empty() && *end <= *first)) {
+        const auto end = number_in<int>(to);
+        if (!first || *first < 0 || (!to.empty() && (!end || *end <= *first))) {
           refuse("--frames", text, "A:B with 0 <= A < B, such as 0:120");
         }
         options.first_frame = *first;
-        options.end_frame = *end;
+        options.end_frame = end;
       });
 }
 
@@ -130,9 +130,10 @@ void jobs_option(CLI::App& command, Options& options) {
 }
 
 void update_flag(CLI::App& command, Options& options) {
-  command.add_flag("--update", options.update,
-                   "Only films older than their script, the shaders, the textures or this program, made otherwise, or "
-                   "with an expectation unmet");
+  command.add_flag(
+      "--update", options.update,
+      "Only films that are missing or damaged, made otherwise, of another script or by a program that draws "
+      "otherwise, or with an expectation unmet");
 }
 
 void quick_flag(CLI::App& command, Options& options) {

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ struct Options {
   int width = 1280;                    // pixels
   int height = 720;                    // pixels
   int first_frame = 0;
-  int end_frame = -1;  // the first one not drawn; -1: all to the end
+  std::optional<int> end_frame;  // the first one not drawn; none: all to the end
   int frame = 0;
   int jobs = 0;  // 0: one a core
   bool update = false;
@@ -31,6 +32,7 @@ struct Options {
   std::optional<double> mean_delta;   // levels
   std::optional<double> share;        // of pixels, 0 ... 1
   int threshold = 0;                  // levels; what counts for share
+  std::stop_token stop;               // requested: the command throws Stopped soon
 };
 
 // A call that cannot be meant, found after the words were read: exit code 2.

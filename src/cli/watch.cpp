@@ -1,56 +1,111 @@
 #include "cli/watch.h"
 
 #include <fmt/format.h>
+#include <pthread.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <condition_variable>
 #include <csignal>
 #include <cstdio>
+#include <mutex>
 
 namespace bookspin {
 namespace {
 
-// A signal handler reaches nothing but a lock-free global.
-volatile std::sig_atomic_t signal_seen = 0;
+constexpr int wake_up = SIGUSR2;  // ends the listener's wait
 
-void remember_signal(int number) {
-  signal_seen = signal_seen + 1;
-  if (signal_seen >= 2) std::signal(number, SIG_DFL);  // some senders signal twice: process and group
-}
+// Waits for signals in a thread of its own: they are blocked in all others, those that the command starts included.
+class Listener {
+ public:
+  Listener() {
+    sigemptyset(&signals_);
+    sigaddset(&signals_, wake_up);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+      struct sigaction now {};
+      sigaction(number, nullptr, &now);
+      if (now.sa_handler != SIG_IGN) sigaddset(&signals_, number);
+    }
+    pthread_sigmask(SIG_BLOCK, &signals_, &before_);
+    thread_ = std::jthread([this] { listen(); });
+  }
+  ~Listener() {
+    pthread_kill(thread_.native_handle(), wake_up);
+    thread_.join();
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  Listener(const Listener&) = delete;
+  Listener& operator=(const Listener&) = delete;
+
+  [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
+  [[nodiscard]] int last_signal() const { return last_signal_; }  // 0: none
+
+ private:
+  void listen() {
+    int number = 0;
+    for (int count = 1; sigwait(&signals_, &number) == 0 && number != wake_up; ++count) {
+      last_signal_ = number;
+      source_.request_stop();
+      if (count < 3) continue;  // some senders signal twice: process and group
+      pthread_sigmask(SIG_UNBLOCK, &signals_, nullptr);
+      std::raise(number);
+    }
+  }
+
+  sigset_t signals_{};
+  sigset_t before_{};
+  std::atomic<int> last_signal_ = 0;
+  std::stop_source source_;
+  std::jthread thread_;
+};
 
 }  // namespace
 
-Watch::Watch(Progress& progress, long frames, int films)
-    : progress_(&progress), frames_(frames), films_(films), start_(std::chrono::steady_clock::now()) {
-  std::signal(SIGINT, remember_signal);
-  std::signal(SIGTERM, remember_signal);
-  thread_ = std::jthread([this](const std::stop_token& token) {
-    const bool terminal = isatty(STDERR_FILENO) == 1;
-    while (!token.stop_requested()) {
-      if (signal_seen != 0) progress_->stop = true;
-      if (terminal) print_line();
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    }
-    if (terminal) fmt::print(stderr, "\r\x1b[K");
-  });
+int stoppable(const std::function<int(const std::stop_token&)>& command) {
+  const Listener listener;
+  try {
+    return command(listener.token());
+  } catch (const std::exception& error) {
+    if (listener.last_signal() == 0) throw;
+    std::fprintf(stderr, "bookspin: %s\n", error.what());
+    return 128 + listener.last_signal();
+  }
 }
 
-Watch::~Watch() {
-  thread_.request_stop();
-  thread_.join();
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+Watch::Watch(const Progress& progress, std::span<const Film> films)
+    : progress_(progress), films_(films.size()), start_(std::chrono::steady_clock::now()) {
+  for (const Film& film : films) {
+    frames_ += film.frames();
+    book_frames_ += static_cast<long>(film.scene.books.size()) * film.scene.clip.frames;
+  }
+  if (isatty(STDERR_FILENO) == 0) return;
+  thread_ = std::jthread([this](const std::stop_token& token) {
+    std::mutex mutex;
+    std::condition_variable_any end;
+    std::unique_lock lock(mutex);
+    do {
+      print_line();
+    } while (!end.wait_for(lock, token, std::chrono::milliseconds(100), [&] { return token.stop_requested(); }));
+    std::fputs("\r\x1b[K", stderr);
+  });
 }
 
 double Watch::seconds() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
+// The terminal may be gone: a line that cannot be written is dropped.
 void Watch::print_line() const {
-  const long done = progress_->frames_done;
-  const double rate = static_cast<double>(done) / seconds();
-  const int left = rate > 0.0 ? static_cast<int>(static_cast<double>(frames_ - done) / rate) : 0;
-  fmt::print(stderr, "\r\x1b[K{} of {} films, frame {} of {} ({} %), {:.0f} frames/s, {}:{:02} left",
-             progress_->films_done.load(), films_, done, frames_, 100 * done / frames_, rate, left / 60, left % 60);
+  const long drawn = progress_.frames_drawn;
+  const double rate = static_cast<double>(drawn) / seconds();
+  std::string line =
+      fmt::format("\r\x1b[K{}/{} films, {} % simulated, {} of {} frames drawn", progress_.films_done.load(), films_,
+                  100 * progress_.frames_simulated.load() / book_frames_, drawn, frames_);
+  if (drawn > 0) {
+    const int left = static_cast<int>(static_cast<double>(frames_ - drawn) / rate);
+    line += fmt::format(", {:.0f}/s, {}:{:02} left", rate, left / 60, left % 60);
+  }
+  std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
 }
 

@@ -1,31 +1,35 @@
-// Watches films in the making: a progress line with the time left, when standard error is a terminal, and Ctrl-C.
-//
-// While it lives, SIGINT and SIGTERM ask every film to stop at its next frame; no half-made file stays behind. A third
-// signal ends the program at once.
+// Stopping a command, and watching films in the making.
 #pragma once
 
 #include <chrono>
+#include <functional>
+#include <span>
+#include <stop_token>
 #include <thread>
 
 #include "film/shoot.h"
 
 namespace bookspin {
 
+// Runs a command, which SIGINT, SIGTERM or SIGHUP asks to stop (unless the caller had them ignored, as nohup does); the
+// third of them ends the program at once. Returns the command's exit code, or 128 + the signal's number when it threw
+// after a signal. What it throws otherwise passes.
+int stoppable(const std::function<int(const std::stop_token&)>& command);
+
+// A progress line with the time left, on standard error when that is a terminal.
 class Watch {
  public:
-  Watch(Progress& progress, long frames, int films);
-  ~Watch();
-  Watch(const Watch&) = delete;
-  Watch& operator=(const Watch&) = delete;
+  Watch(const Progress& progress, std::span<const Film> films);
 
   [[nodiscard]] double seconds() const;  // since the start
 
  private:
   void print_line() const;
 
-  Progress* progress_;
-  long frames_;
-  int films_;
+  const Progress& progress_;
+  std::size_t films_;
+  long frames_ = 0;       // to be drawn
+  long book_frames_ = 0;  // to be simulated
   std::chrono::steady_clock::time_point start_;
   std::jthread thread_;
 };

@@ -17,15 +17,6 @@ namespace {
   throw std::runtime_error(fmt::format("{}: {}: {}", file.string(), operation, reason));
 }
 
-// Gone when it is left: by an error, or because it has been renamed.
-struct Part {
-  fs::path file;
-  ~Part() {
-    std::error_code ignored;
-    fs::remove(file, ignored);
-  }
-};
-
 }  // namespace
 
 std::string read_file(const fs::path& file) {
@@ -42,15 +33,16 @@ void write_file(const fs::path& file, std::string_view text) {
 }
 
 void write_file(const fs::path& file, const std::function<void(std::ostream&)>& write) {
-  const Part part{file.string() + ".part"};
-  std::ofstream out(part.file, std::ios::binary);
-  if (!out) fail(file, "cannot be opened for writing", std::strerror(errno));
-  write(out);
+  Part part(file);
+  write_part(part, write);
+  publish({&part});
+}
+
+void write_part(const Part& part, const std::function<void(std::ostream&)>& write) {
+  std::ofstream out(part.path(), std::ios::binary);
+  if (out) write(out);
   out.close();
-  if (!out) fail(file, "cannot be written", std::strerror(errno));
-  std::error_code error;
-  fs::rename(part.file, file, error);
-  if (error) fail(file, "cannot be renamed", error.message());
+  if (!out) fail(part.file(), "cannot be written", std::strerror(errno));
 }
 
 std::string readable_size(std::uintmax_t bytes) {

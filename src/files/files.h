@@ -1,7 +1,7 @@
 // Whole files: read at once, or written so that a name never stands for half a file.
 //
-// A file grows as its name + ".part" and is renamed when it is complete; on any error the part is removed, and what
-// stood under the name survives. Both throw std::runtime_error "FILE: what failed: the system's reason".
+// A file grows as a Part (part.h) and is renamed when it is complete: on any error what stood under the name survives.
+// All throw std::runtime_error "FILE: what failed: the system's reason".
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,8 @@
 #include <string>
 #include <string_view>
 
+#include "files/part.h"
+
 namespace bookspin {
 
 [[nodiscard]] std::string read_file(const std::filesystem::path& file);
@@ -19,6 +21,9 @@ void write_file(const std::filesystem::path& file, std::string_view text);
 
 // The same for what is too long to hold: `write` streams it.
 void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
+
+// The same, not yet published.
+void write_part(const Part& part, const std::function<void(std::ostream&)>& write);
 
 // "412 kB", "3.1 MB".
 [[nodiscard]] std::string readable_size(std::uintmax_t bytes);

@@ -7,32 +7,43 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <stdexcept>
 
 #include "files/files.h"
+#include "files/fingerprint.h"
 #include "scene/scene_file.h"
 
 namespace bookspin {
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-Json as_json(const MadeWith& made_with) {
-  return {{"width", made_with.width},
-          {"height", made_with.height},
-          {"first_frame", made_with.first_frame},
-          {"end_frame", made_with.end_frame},
-          {"set", made_with.overrides}};
+// Nothing for a file that is no JSON, or cannot be read.
+Json read_json(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return Json::parse(in, nullptr, false);
 }
 
-Json clip_json(const FilmData& data) {
-  const Clip& clip = data.scene.clip;
-  const int end = data.made_with.end_frame < 0 ? clip.frames : data.made_with.end_frame;
+Json made_with(const Film& film) {
+  return {{"width", film.width}, {"height", film.height}, {"set", film.overrides}, {"drawn_by", film.drawn_by}};
+}
+
+Json clip_of(const Film& film) {
+  const Clip& clip = film.scene.clip;
   return {{"frames", clip.frames},
           {"fps", clip.fps},
           {"time_per_frame", clip.time_per_frame},
           {"substeps", clip.substeps},
-          {"first_frame", data.made_with.first_frame},
-          {"drawn_frames", end - data.made_with.first_frame}};
+          {"first_frame", film.first_frame},
+          {"drawn_frames", film.frames()}};
+}
+
+Json fingerprints(const Film& film, const fs::path& mp4, const fs::path& poster) {
+  Json json = Json::object();
+  if (!film.is_still()) json["film"] = fingerprint(read_file(mp4));
+  json["poster"] = fingerprint(read_file(poster));
+  return json;
 }
 
 // Seven digits draw any chart; the trajectory command gives all of them.
@@ -53,11 +64,13 @@ Json book_json(const BookSetup& setup, const BookTrack& track) {
 }
 
 Json as_json(const FilmData& data) {
-  Json json{{"format", film_format}, {"title", data.scene.title}, {"caption", data.scene.caption}};
-  if (!data.film_name.empty()) json["film"] = data.film_name;
-  json["poster"] = data.poster_name;
-  json["made_with"] = as_json(data.made_with);
-  json["clip"] = clip_json(data);
+  const Film& film = data.film;
+  Json json{{"format", film_format}, {"title", film.scene.title}, {"caption", film.scene.caption}};
+  if (data.mp4 != nullptr) json["film"] = data.mp4->file().filename().string();
+  json["poster"] = data.poster.file().filename().string();
+  json["made_with"] = made_with(film);
+  json["fingerprints"] = fingerprints(film, data.mp4 == nullptr ? "" : data.mp4->path(), data.poster.path());
+  json["clip"] = clip_of(film);
   json["met"] = std::all_of(data.verdicts.begin(), data.verdicts.end(), [](const Verdict& v) { return v.met; });
   json["expectations"] = Json::array();
   for (const Verdict& v : data.verdicts) {
@@ -74,10 +87,10 @@ Json as_json(const FilmData& data) {
                                   {"shown_scale", q.shown_scale},
                                   {"axis", {{"low", q.axis.low}, {"high", q.axis.high}, {"most", q.axis.most}}}});
   }
-  json["script"] = data.script;
+  json["script"] = film.script;
   json["books"] = Json::array();
-  for (std::size_t b = 0; b < data.scene.books.size(); ++b) {
-    json["books"].push_back(book_json(data.scene.books[b], data.trajectory.books[b]));
+  for (std::size_t b = 0; b < film.scene.books.size(); ++b) {
+    json["books"].push_back(book_json(film.scene.books[b], data.trajectory.books[b]));
   }
   return json;
 }
@@ -100,19 +113,34 @@ void write(std::ostream& out, const Json& json, const std::string& line_end) {
 
 }  // namespace
 
-void write_film_data(const std::filesystem::path& file, const FilmData& data) {
+void write_film_data(const Part& part, const FilmData& data) {
   const Json json = as_json(data);
-  write_file(file, [&json](std::ostream& out) {
+  write_part(part, [&json](std::ostream& out) {
     write(out, json, "\n");
     out << '\n';
   });
 }
 
-bool was_made_with(const std::filesystem::path& file, const MadeWith& made_with) {
-  std::ifstream in(file, std::ios::binary);
-  const Json json = Json::parse(in, nullptr, false);
-  return json.is_object() && json.value("met", false) && json.contains("made_with") &&
-         json["made_with"] == as_json(made_with);
+bool is_up_to_date(const Film& film, const Products& products) try {
+  const Json found = read_json(products.data);
+  const Json wanted{{"format", film_format},
+                    {"made_with", made_with(film)},
+                    {"fingerprints", fingerprints(film, products.film, products.poster)},
+                    {"clip", clip_of(film)},
+                    {"met", true},
+                    {"script", film.script}};
+  for (const auto& [key, value] : wanted.items()) {
+    if (!found.contains(key) || found[key] != value) return false;
+  }
+  return true;
+} catch (const std::runtime_error&) {
+  return false;  // a product cannot be read
+}
+
+bool is_film_of(const fs::path& data, const fs::path& mp4) {
+  const Json json = read_json(data);
+  return json.contains("format") && json["format"] == film_format && json.contains("film") &&
+         json["film"] == mp4.filename().string();
 }
 
 }  // namespace bookspin

@@ -3,7 +3,9 @@
 //   format                        "bookspin film 1"
 //   title, caption, script        as in the scene script (script: its whole text)
 //   film, poster                  file names beside this one (film: absent for a still)
-//   made_with                     width and height in pixels, first_frame, end_frame; set: the overrides, as given
+//   made_with                     width and height in pixels; set: the overrides, as given; drawn_by: the fingerprint
+//                                 of shaders, textures, fonts and source
+//   fingerprints                  of the bytes of film and poster
 //   clip                          frames, fps, time_per_frame, substeps; first_frame and drawn_frames: what is filmed
 //   met                           true when every expectation is met
 //   expectations                  says, text, met, found, frame: one for each bound
@@ -17,36 +19,31 @@
 #include <string>
 #include <vector>
 
+#include "files/part.h"
+#include "film/film.h"
 #include "scene/judge.h"
-#include "scene/scene.h"
 #include "scene/trajectory.h"
 
 namespace bookspin {
 
 inline constexpr const char* film_format = "bookspin film 1";
 
-struct MadeWith {
-  int width = 1280;                    // pixels
-  int height = 720;                    // pixels
-  int first_frame = 0;                 // of the scene's frames
-  int end_frame = -1;                  // the first one not drawn; -1: all to the end
-  std::vector<std::string> overrides;  // as given, in order
-};
-
 struct FilmData {
-  const Scene& scene;
+  const Film& film;
   const Trajectory& trajectory;
   const std::vector<Verdict>& verdicts;
-  std::string script;     // the text
-  std::string film_name;  // file name of the MP4; empty: a still
-  std::string poster_name;
-  MadeWith made_with;
+  const Part* mp4;  // complete; nullptr: a still
+  const Part& poster;
 };
 
-// Throws std::runtime_error; an older file survives a failure.
-void write_film_data(const std::filesystem::path& file, const FilmData& data);
+// Throws std::runtime_error.
+void write_film_data(const Part& part, const FilmData& data);
 
-// Whether the file says that it was made so, with every expectation met. False for a file that cannot be read.
-[[nodiscard]] bool was_made_with(const std::filesystem::path& file, const MadeWith& made_with);
+// Whether the products are there as they were made, of the same script in the same way, with every expectation met.
+// False for files that cannot be read or are not of this format.
+[[nodiscard]] bool is_up_to_date(const Film& film, const Products& products);
+
+// Whether `data` names `mp4`, a file beside it, as its film.
+[[nodiscard]] bool is_film_of(const std::filesystem::path& data, const std::filesystem::path& mp4);
 
 }  // namespace bookspin

@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <thread>
 
-#include "files/files.h"
+#include "files/part.h"
+#include "film/film_data.h"
 #include "film/storyboard.h"
 #include "image/png.h"
-#include "scene/scene_file.h"
 #include "video/mp4_writer.h"
 
 namespace bookspin {
@@ -18,125 +18,93 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path product(const FilmOrder& order, const char* extension) {
-  return order.folder / (order.script.stem().string() + extension);
-}
-
-int end_frame(const FilmOrder& order, const Scene& scene) {
-  return order.made_with.end_frame < 0 ? scene.clip.frames : order.made_with.end_frame;
-}
-
-bool is_still(const Scene& scene) {
-  return scene.clip.frames == 1;
-}
-
-// Newest change of a file, or of anything in a folder.
-fs::file_time_type newest(const fs::path& path) {
-  fs::file_time_type time = fs::last_write_time(path);
-  if (fs::is_directory(path)) {
-    for (const auto& entry : fs::recursive_directory_iterator(path)) time = std::max(time, entry.last_write_time());
+void refuse_to_replace_the_script(const Film& film, const Products& names) {
+  for (const fs::path& product : {names.film, names.poster, names.data}) {
+    std::error_code ignored;  // of names that do not exist
+    if (fs::equivalent(product, film.file, ignored)) {
+      throw std::invalid_argument(fmt::format("{}: would replace the script itself; call that {}.toml",
+                                              product.string(), film.file.stem().string()));
+    }
   }
-  return time;
 }
 
 }  // namespace
 
-Scene load_order(const FilmOrder& order) {
-  Scene scene = load_scene(order.script, order.made_with.overrides);
-  const int end = end_frame(order, scene);
-  if (order.made_with.first_frame < 0 || order.made_with.first_frame >= end || end > scene.clip.frames) {
-    throw std::invalid_argument(fmt::format("{}: found frames {}:{}; allowed: A:B with 0 <= A < B <= {}",
-                                            order.script.string(), order.made_with.first_frame, end,
-                                            scene.clip.frames));
-  }
-  return scene;
-}
+FilmReceipt shoot(const Film& film, const fs::path& folder, Renderer& renderer, Progress& progress,
+                  const std::stop_token& stop) {
+  const Products names = products(film, folder);
+  refuse_to_replace_the_script(film, names);
+  fs::create_directories(folder);
+  std::optional<Part> mp4;
+  if (!film.is_still()) mp4.emplace(names.film);
+  Part poster(names.poster);
+  Part data(names.data);
 
-FilmReceipt shoot(const FilmOrder& order, Renderer& renderer, Progress& progress) {
-  const Scene scene = load_order(order);
-  const Trajectory trajectory = simulate(scene);
-  const int first = order.made_with.first_frame;
-  const int end = end_frame(order, scene);
-  const MadeWith& made_with = order.made_with;
-  fs::create_directories(order.folder);
-
+  const Trajectory trajectory = simulate(film.scene, stop, &progress.frames_simulated);
   FilmReceipt receipt;
-  receipt.product = product(order, is_still(scene) ? ".png" : ".mp4");
-  receipt.frames = end - first;
-  receipt.fps = scene.clip.fps;
-  receipt.verdicts = judge(scene, trajectory);
-
-  const Storyboard storyboard(scene, trajectory, static_cast<double>(made_with.width) / made_with.height);
-  std::optional<Mp4Writer> film;
-  if (!is_still(scene)) {
-    film.emplace(receipt.product, Mp4Writer::Settings{made_with.width, made_with.height, scene.clip.fps, scene.title});
+  receipt.verdicts = judge(film.scene, trajectory);
+  const Storyboard storyboard(film.scene, trajectory, static_cast<double>(film.width) / film.height);
+  std::optional<Mp4Writer> writer;
+  if (mp4) {
+    writer.emplace(*mp4, Mp4Writer::Settings{film.width, film.height, film.scene.clip.fps, film.scene.title});
   }
-  const int poster_frame = first + (end - first) / 2;
-  Image poster;
-  for (int frame = first; frame < end; ++frame) {
-    if (progress.stop) throw Stopped();
+  const int poster_frame = film.first_frame + film.frames() / 2;
+  for (int frame = film.first_frame; frame < film.end_frame; ++frame) {
+    if (stop.stop_requested()) throw Stopped();
     const Image& picture = renderer.draw(storyboard.shot(frame));
-    if (film) film->write(picture, renderer.changed());
-    if (frame == poster_frame) poster = picture;
-    ++progress.frames_done;
+    if (writer) writer->write(picture, renderer.changed());
+    if (frame == poster_frame) write_png(poster, picture);
+    ++progress.frames_drawn;
   }
-  if (film) film->finish();
-  write_png(product(order, ".png"), poster);
-  write_film_data(product(order, ".json"), {scene, trajectory, receipt.verdicts, read_file(order.script),
-                                            film ? receipt.product.filename().string() : "",
-                                            product(order, ".png").filename().string(), made_with});
-  receipt.bytes = fs::file_size(receipt.product);
+  if (writer) writer->finish();
+  write_film_data(data, {film, trajectory, receipt.verdicts, mp4 ? &*mp4 : nullptr, poster});
+
+  receipt.product = mp4 ? names.film : names.poster;
+  receipt.bytes = fs::file_size(mp4 ? mp4->path() : poster.path());
+  if (mp4) {
+    publish({&*mp4, &poster, &data});
+  } else {
+    publish({&poster, &data}, is_film_of(names.data, names.film) ? names.film : fs::path());
+  }
   ++progress.films_done;
   return receipt;
 }
 
-std::vector<FilmOutcome> shoot_all(std::span<const FilmOrder> orders, const fs::path& assets, int workers,
-                                   Progress& progress) {
-  std::vector<FilmOutcome> outcomes;
-  std::vector<long> lengths;
-  for (const FilmOrder& order : orders) {
-    outcomes.push_back({order, {}, {}});
-    const Scene scene = load_order(order);
-    lengths.push_back(static_cast<long>(end_frame(order, scene) - order.made_with.first_frame) *
-                      static_cast<long>(scene.books.size()));
-  }
-  std::vector<std::size_t> queue(orders.size());
+std::vector<FilmOutcome> shoot_all(std::span<const Film> films, const fs::path& folder, const fs::path& assets,
+                                   int workers, Progress& progress, const std::stop_token& stop) {
+  std::vector<FilmOutcome> outcomes(films.size());
+  const auto length = [&films](std::size_t i) {
+    return static_cast<std::size_t>(films[i].frames()) * films[i].scene.books.size();
+  };
+  std::vector<std::size_t> queue(films.size());
   std::iota(queue.begin(), queue.end(), 0U);
-  std::stable_sort(queue.begin(), queue.end(), [&](std::size_t a, std::size_t b) { return lengths[a] > lengths[b]; });
+  std::stable_sort(queue.begin(), queue.end(), [&](std::size_t a, std::size_t b) { return length(a) > length(b); });
 
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
     std::optional<Renderer> renderer;
-    for (std::size_t i = next++; i < queue.size(); i = next++) {
+    for (std::size_t i = next++; i < queue.size() && !stop.stop_requested(); i = next++) {
+      const Film& film = films[queue[i]];
       FilmOutcome& outcome = outcomes[queue[i]];
       try {
-        if (!renderer) renderer.emplace(outcome.order.made_with.width, outcome.order.made_with.height, assets);
-        outcome.receipt = shoot(outcome.order, *renderer, progress);
+        if (!renderer) renderer.emplace(film.width, film.height, assets);
+        outcome.receipt = shoot(film, folder, *renderer, progress, stop);
+      } catch (const Stopped&) {
+        return;
       } catch (const std::exception& error) {
         outcome.error = error.what();
       }
     }
   };
   std::vector<std::jthread> threads;
-  for (int i = 0; i < std::min<int>(workers, static_cast<int>(orders.size())); ++i) threads.emplace_back(work);
+  for (int i = 0; i < std::min<int>(workers, static_cast<int>(films.size())); ++i) threads.emplace_back(work);
   threads.clear();  // joins
   return outcomes;
 }
 
-bool is_up_to_date(const FilmOrder& order, std::span<const fs::path> inputs) {
-  const fs::path data = product(order, ".json");
-  const fs::path poster = product(order, ".png");
-  if (!fs::exists(data) || !fs::exists(poster) || !was_made_with(data, order.made_with)) return false;
-  const bool still = is_still(load_order(order));
-  if (!still && !fs::exists(product(order, ".mp4"))) return false;
-  const fs::file_time_type made = fs::last_write_time(data);
-  fs::file_time_type changed = newest(order.script);
-  for (const fs::path& input : inputs) changed = std::max(changed, newest(input));
-  return changed <= made;
-}
-
-Image draw_frame(const Scene& scene, int frame, int width, int height, const fs::path& assets) {
-  const Trajectory trajectory = simulate(scene);
+Image draw_frame(const Scene& scene, int frame, int width, int height, const fs::path& assets,
+                 const std::stop_token& stop) {
+  const Trajectory trajectory = simulate(scene, stop);
   const Storyboard storyboard(scene, trajectory, static_cast<double>(width) / height);
   return Renderer(width, height, assets).draw(storyboard.shot(frame));
 }

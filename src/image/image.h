@@ -1,24 +1,16 @@
-// A picture in memory, and the part of it that changed.
+// A picture in memory.
 //
-// Pixels are RGBA, 8 bits a channel, sRGB, rows from top to bottom, tightly packed: pixel (x, y) starts at byte 4 (y
-// width + x). x runs right, y runs down, both from 0.
+// Pixels are RGBA, 8 bits a channel, sRGB, rows from top to bottom, tightly packed: pixel (x, y) starts at byte
+// 4 (y width + x). x runs right, y runs down, both from 0.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "image/rect.h"
+
 namespace bookspin {
-
-struct Rect {
-  int x = 0;       // left column, pixels
-  int y = 0;       // top row, pixels
-  int width = 0;   // pixels; 0: empty
-  int height = 0;  // pixels; 0: empty
-
-  [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
-  bool operator==(const Rect&) const = default;
-};
 
 struct Image {
   int width = 0;                   // pixels

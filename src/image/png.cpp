@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 #include <png.h>
-#include <unistd.h>
 
 #include <cassert>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <memory>
 #include <stdexcept>
 #include <system_error>
@@ -34,19 +32,6 @@ struct PngImage : png_image {
   ~PngImage() { png_image_free(this); }
   PngImage(const PngImage&) = delete;
   PngImage& operator=(const PngImage&) = delete;
-};
-
-struct PartialFile {
-  std::filesystem::path path;
-  bool keep = false;
-
-  explicit PartialFile(std::filesystem::path path_) : path(std::move(path_)) {}
-  ~PartialFile() {
-    std::error_code ignored;
-    if (!keep) std::filesystem::remove(path, ignored);
-  }
-  PartialFile(const PartialFile&) = delete;
-  PartialFile& operator=(const PartialFile&) = delete;
 };
 
 bool opaque(const Image& image) {
@@ -78,7 +63,7 @@ Image read_png(const std::filesystem::path& path) {
   return image;
 }
 
-void write_png(const std::filesystem::path& path, const Image& image) {
+void write_png(const Part& part, const Image& image) {
   assert(!image.bounds().empty());
   const bool rgb = opaque(image);
   const std::vector<std::uint8_t> pixels = rgb ? without_alpha(image) : image.rgba;
@@ -88,16 +73,18 @@ void write_png(const std::filesystem::path& path, const Image& image) {
   png.height = static_cast<png_uint_32>(image.height);
   png.format = rgb ? PNG_FORMAT_RGB : PNG_FORMAT_RGBA;
 
-  PartialFile part(path.string() + ".part");
-  File file(std::fopen(part.path.c_str(), "wb"));
-  if (!file) fail_with_errno(part.path, "create PNG");
+  File file(std::fopen(part.path().c_str(), "wb"));
+  if (!file) fail_with_errno(part.file(), "open PNG");
   if (png_image_write_to_stdio(&png, file.get(), 0, pixels.data(), 0, nullptr) == 0) {
-    fail(part.path, "write PNG", png.message);
+    fail(part.file(), "write PNG", png.message);
   }
-  if (std::fflush(file.get()) != 0 || fsync(fileno(file.get())) != 0) fail_with_errno(part.path, "flush PNG");
-  if (std::fclose(file.release()) != 0) fail_with_errno(part.path, "close PNG");
-  if (std::rename(part.path.c_str(), path.c_str()) != 0) fail_with_errno(path, "rename finished PNG");
-  part.keep = true;
+  if (std::fclose(file.release()) != 0) fail_with_errno(part.file(), "close PNG");
+}
+
+void write_png(const std::filesystem::path& path, const Image& image) {
+  Part part(path);
+  write_png(part, image);
+  publish({&part});
 }
 
 }  // namespace bookspin

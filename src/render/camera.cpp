@@ -71,30 +71,4 @@ Rect View::bounds(std::span<const Eigen::Vector3d> points_W, double margin_px) c
   return {x0, y0, column(std::ceil(right + margin_px)) - x0, row(std::ceil(bottom + margin_px)) - y0};
 }
 
-PixelPoint project(const Camera& camera, int width, int height, const Eigen::Vector3d& point_W) {
-  return View(camera, width, height).project(point_W);
-}
-
-double distance_that_frames(double sphere_radius, double vertical_fov, double aspect) {
-  const double half_vertical = vertical_fov / 2;
-  const double half_horizontal = std::atan(std::tan(half_vertical) * aspect);
-  return sphere_radius / std::sin(std::min(half_vertical, half_horizontal));
-}
-
-Rect intersection(const Rect& a, const Rect& b) {
-  const int x0 = std::max(a.x, b.x);
-  const int y0 = std::max(a.y, b.y);
-  const int x1 = std::min(a.x + a.width, b.x + b.width);
-  const int y1 = std::min(a.y + a.height, b.y + b.height);
-  return x1 > x0 && y1 > y0 ? Rect{x0, y0, x1 - x0, y1 - y0} : Rect{};
-}
-
-Rect union_of(const Rect& a, const Rect& b) {
-  if (a.empty()) return b;
-  if (b.empty()) return a;
-  const int x0 = std::min(a.x, b.x);
-  const int y0 = std::min(a.y, b.y);
-  return {x0, y0, std::max(a.x + a.width, b.x + b.width) - x0, std::max(a.y + a.height, b.y + b.height) - y0};
-}
-
 }  // namespace bookspin

@@ -49,12 +49,4 @@ class View {
   Eigen::Matrix4d clip_from_unit_camera_, clip_from_world_;
 };
 
-PixelPoint project(const Camera& camera, int width, int height, const Eigen::Vector3d& point_W);
-
-// The distance from eye to centre at which a sphere just touches the nearer pair of the frame's edges.
-double distance_that_frames(double sphere_radius, double vertical_fov, double aspect);
-
-Rect intersection(const Rect& a, const Rect& b);
-Rect union_of(const Rect& a, const Rect& b);  // the smallest rectangle that holds both
-
 }  // namespace bookspin

@@ -2,26 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
-#include <system_error>
+
+#include "files/files.h"
 
 namespace bookspin {
 namespace {
 
-std::string read_text(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    throw std::runtime_error(fmt::format("{}: open shader: {}", file.string(), std::generic_category().message(errno)));
-  }
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 Handle compile(const GladGLContext& gl, GLenum stage, const std::filesystem::path& file) {
-  const std::string source = read_text(file);
+  const std::string source = read_file(file);
   const char* const text = source.c_str();
   Handle shader = make_shader(gl, stage);
   gl.ShaderSource(shader.id(), 1, &text, nullptr);

@@ -204,4 +204,17 @@ const std::string& Renderer::description() const {
   return parts_->context.description();
 }
 
+std::vector<std::filesystem::path> files_drawn_from(const std::filesystem::path& assets) {
+  std::vector<std::filesystem::path> files;
+  for (const char* folder : {"shaders", "textures"}) {
+    for (const auto& entry : std::filesystem::directory_iterator(assets / folder)) {
+      const std::filesystem::path extension = entry.path().extension();
+      if (extension == ".vert" || extension == ".frag" || extension == ".png") files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  files.insert(files.end(), {BOOKSPIN_FONT_REGULAR, BOOKSPIN_FONT_SEMIBOLD});
+  return files;
+}
+
 }  // namespace bookspin

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "image/image.h"
 #include "render/shot.h"
@@ -32,5 +33,8 @@ class Renderer {
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
+
+// Every file that a renderer reads: shaders, textures, fonts.
+[[nodiscard]] std::vector<std::filesystem::path> files_drawn_from(const std::filesystem::path& assets);
 
 }  // namespace bookspin

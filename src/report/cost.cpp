@@ -34,12 +34,12 @@ FrameCost frame_cost(const Scene& scene, const FrameCostOrder& order) {
   const auto pixels = static_cast<std::size_t>(order.width) * static_cast<std::size_t>(order.height);
   std::vector<std::uint8_t> y(pixels), cb(pixels / 4), cr(pixels / 4);
   const I420Planes planes{y.data(), cb.data(), cr.data(), order.width, order.width / 2, order.width / 2};
-  const std::filesystem::path file = order.scratch / "frame_cost.mp4";
   cost.conversion = cost.encoding = 1e300;
   for (int pass = 0; pass < order.passes; ++pass) {
     double conversion = 0.0;
     double encoding = 0.0;
-    Mp4Writer film(file, {order.width, order.height, scene.clip.fps, ""});
+    const Part part(order.scratch / "frame_cost.mp4");  // never published
+    Mp4Writer film(part, {order.width, order.height, scene.clip.fps, ""});
     for (int n = 0; n < frames; ++n) {
       const Image& picture = renderer.draw(storyboard.shot(first + n));
       const double start = cpu_ns();
@@ -55,7 +55,6 @@ FrameCost frame_cost(const Scene& scene, const FrameCostOrder& order) {
     cost.conversion = std::min(cost.conversion, 1e-6 * conversion / frames);
     cost.encoding = std::min(cost.encoding, 1e-6 * encoding / frames);
   }
-  std::filesystem::remove(file);
   cost.encoding -= cost.conversion;  // the writer converts, too
   return cost;
 }

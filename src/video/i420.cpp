@@ -10,26 +10,26 @@ namespace {
 // Fixed point with 16 fractional bits: coefficients then fit 16 bits, and compilers multiply eight of them at once even
 // on the oldest x86-64. The worst sum is 0.006 of a level off, which matters only where the exact value is that near to
 // a half.
-constexpr int kFractionBits = 16;
-constexpr double kOne = 1 << kFractionBits;
-constexpr double kLumaRange = 219.0 / 255.0 * kOne;
-constexpr double kChromaRange = 224.0 / 255.0 * kOne;
+constexpr int fraction_bits = 16;
+constexpr double one = 1 << fraction_bits;
+constexpr double luma_range = 219.0 / 255.0 * one;
+constexpr double chroma_range = 224.0 / 255.0 * one;
 
 constexpr int round_to_int(double x) {
   return static_cast<int>(x < 0 ? x - 0.5 : x + 0.5);
 }
 
-constexpr auto kYR = static_cast<std::uint16_t>(round_to_int(0.2126 * kLumaRange));
-constexpr auto kYG = static_cast<std::uint16_t>(round_to_int(0.7152 * kLumaRange));
-constexpr auto kYB = static_cast<std::uint16_t>(round_to_int(0.0722 * kLumaRange));
+constexpr auto y_r = static_cast<std::uint16_t>(round_to_int(0.2126 * luma_range));
+constexpr auto y_g = static_cast<std::uint16_t>(round_to_int(0.7152 * luma_range));
+constexpr auto y_b = static_cast<std::uint16_t>(round_to_int(0.0722 * luma_range));
 
 // Each chroma row sums to 0, so that greys stay exactly grey.
-constexpr auto kCbR = static_cast<std::int16_t>(round_to_int(-0.2126 / 1.8556 * kChromaRange));
-constexpr auto kCbB = static_cast<std::int16_t>(round_to_int(0.5 * kChromaRange));
-constexpr auto kCbG = static_cast<std::int16_t>(-kCbR - kCbB);
-constexpr auto kCrR = kCbB;
-constexpr auto kCrB = static_cast<std::int16_t>(round_to_int(-0.0722 / 1.5748 * kChromaRange));
-constexpr auto kCrG = static_cast<std::int16_t>(-kCrR - kCrB);
+constexpr auto cb_r = static_cast<std::int16_t>(round_to_int(-0.2126 / 1.8556 * chroma_range));
+constexpr auto cb_b = static_cast<std::int16_t>(round_to_int(0.5 * chroma_range));
+constexpr auto cb_g = static_cast<std::int16_t>(-cb_r - cb_b);
+constexpr auto cr_r = cb_b;
+constexpr auto cr_b = static_cast<std::int16_t>(round_to_int(-0.0722 / 1.5748 * chroma_range));
+constexpr auto cr_g = static_cast<std::int16_t>(-cr_r - cr_b);
 
 // A stretch of one row, channel by channel. Cell 0 is the pixel left of the first one converted: the chroma filter
 // reaches there.
@@ -61,11 +61,11 @@ void write_luma(const PlanarRow& row, std::uint8_t* __restrict y) {
   const std::uint16_t* g = row.g.data() + 1;
   const std::uint16_t* b = row.b.data() + 1;
   const std::size_t pixels = row.r.size() - 1;
-  constexpr std::uint32_t offset = (16U << kFractionBits) + (1U << (kFractionBits - 1));
+  constexpr std::uint32_t offset = (16U << fraction_bits) + (1U << (fraction_bits - 1));
   for (std::size_t x = 0; x < pixels; ++x) {
     const std::uint32_t sum =
-        std::uint32_t{r[x]} * kYR + std::uint32_t{g[x]} * kYG + std::uint32_t{b[x]} * kYB + offset;
-    y[x] = static_cast<std::uint8_t>(sum >> kFractionBits);
+        std::uint32_t{r[x]} * y_r + std::uint32_t{g[x]} * y_g + std::uint32_t{b[x]} * y_b + offset;
+    y[x] = static_cast<std::uint8_t>(sum >> fraction_bits);
   }
 }
 
@@ -82,15 +82,15 @@ void write_chroma(const PlanarRow& sum, std::uint8_t* __restrict cb, std::uint8_
   const std::uint16_t* g = sum.g.data();
   const std::uint16_t* b = sum.b.data();
   const std::size_t samples = (sum.r.size() - 1) / 2;
-  constexpr int shift = kFractionBits + 3;
+  constexpr int shift = fraction_bits + 3;
   constexpr int offset = (128 << shift) + (1 << (shift - 1));
   const auto filter = [](const std::uint16_t* p) { return static_cast<std::int16_t>(p[0] + 2 * p[1] + p[2]); };
   for (std::size_t c = 0; c < samples; ++c) {
     const std::int16_t r8 = filter(r + 2 * c);
     const std::int16_t g8 = filter(g + 2 * c);
     const std::int16_t b8 = filter(b + 2 * c);
-    cb[c] = static_cast<std::uint8_t>((r8 * kCbR + g8 * kCbG + b8 * kCbB + offset) >> shift);
-    cr[c] = static_cast<std::uint8_t>((r8 * kCrR + g8 * kCrG + b8 * kCrB + offset) >> shift);
+    cb[c] = static_cast<std::uint8_t>((r8 * cb_r + g8 * cb_g + b8 * cb_b + offset) >> shift);
+    cr[c] = static_cast<std::uint8_t>((r8 * cr_r + g8 * cr_g + b8 * cr_b + offset) >> shift);
   }
 }
 

@@ -1,15 +1,10 @@
 #include "video/mp4_writer.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <algorithm>
 #include <cassert>
-#include <cerrno>
 #include <new>
 #include <stdexcept>
-#include <system_error>
 
+#include "image/rect.h"
 #include "video/i420.h"
 #include "video/libav.h"
 
@@ -18,45 +13,8 @@ namespace {
 
 // Measured at 1280x720: "superfast" saves a fifth of the time and triples the file; "faster" takes 1.8 times as long
 // and gains 1 dB.
-constexpr const char* kPreset = "veryfast";
-constexpr const char* kQuality = "20";  // constant rate factor
-
-// The file that carries the film until it is complete; removed unless published.
-class PartFile {
- public:
-  explicit PartFile(std::filesystem::path path) : path_(std::move(path)) {}
-  PartFile(const PartFile&) = delete;
-  PartFile& operator=(const PartFile&) = delete;
-  ~PartFile() {
-    std::error_code ignored;
-    if (ours_) std::filesystem::remove(path_, ignored);
-  }
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  void created() { ours_ = true; }
-
-  // To the disk, then under its final name: a reader sees the old film or the whole new one, whatever happens.
-  void publish(const std::filesystem::path& name) {
-    const int descriptor = open(path_.c_str(), O_RDONLY | O_CLOEXEC);
-    int error = descriptor < 0 || fsync(descriptor) != 0 ? errno : 0;
-    if (descriptor >= 0 && close(descriptor) != 0 && error == 0) error = errno;
-    if (error != 0) throw_libav_error(path_, "flush to disk", AVERROR(error));
-    std::error_code rename_error;
-    std::filesystem::rename(path_, name, rename_error);
-    if (rename_error) throw std::runtime_error(name.string() + ": rename: " + rename_error.message());
-    ours_ = false;
-  }
-
- private:
-  std::filesystem::path path_;
-  bool ours_ = false;
-};
-
-Rect intersect(Rect a, Rect b) {
-  const int x = std::max(a.x, b.x);
-  const int y = std::max(a.y, b.y);
-  return {x, y, std::min(a.x + a.width, b.x + b.width) - x, std::min(a.y + a.height, b.y + b.height) - y};
-}
+constexpr const char* preset = "veryfast";
+constexpr const char* quality = "20";  // constant rate factor
 
 std::string size_text(int width, int height) {
   return std::to_string(width) + "x" + std::to_string(height);
@@ -70,10 +28,9 @@ Libav<T> owned(T* object) {
 
 }  // namespace
 
-// Destroyed from the bottom up: the libav objects close the part before it is removed.
 struct Mp4Writer::Film {
-  std::filesystem::path file;
-  PartFile part;
+  std::filesystem::path file;  // the film's name, for messages
+  std::filesystem::path path;  // where it is written
   Settings settings;
   Libav<AVFormatContext> muxer;
   Libav<AVCodecContext> encoder;
@@ -82,18 +39,18 @@ struct Mp4Writer::Film {
   AVStream* stream = nullptr;  // owned by the muxer
   std::int64_t frames = 0;
 
-  Film(std::filesystem::path name, Settings wanted);
+  Film(const Part& part, Settings wanted);
   void open_muxer();
   void open_encoder();
   void write_header();
   void encode(const AVFrame* frame);
   void check(int code, const char* operation) const {
-    if (code < 0) throw_libav_error(part.path(), operation, code);
+    if (code < 0) throw_libav_error(file, operation, code);
   }
 };
 
-Mp4Writer::Film::Film(std::filesystem::path name, Settings wanted)
-    : file(std::move(name)), part(file.string() + ".part"), settings(std::move(wanted)) {
+Mp4Writer::Film::Film(const Part& part, Settings wanted)
+    : file(part.file()), path(part.path()), settings(std::move(wanted)) {
   if (settings.width <= 0 || settings.height <= 0 || settings.width % 2 != 0 || settings.height % 2 != 0) {
     throw std::invalid_argument(file.string() + ": size " + size_text(settings.width, settings.height) +
                                 ": width and height of a film must be even and above 0");
@@ -121,7 +78,7 @@ Mp4Writer::Film::Film(std::filesystem::path name, Settings wanted)
 
 void Mp4Writer::Film::open_muxer() {
   // "file:" keeps a name with a colon from being read as a protocol.
-  const std::string url = "file:" + part.path().string();
+  const std::string url = "file:" + path.string();
   AVFormatContext* format = nullptr;
   check(avformat_alloc_output_context2(&format, nullptr, "mp4", url.c_str()), "set up the MP4 format");
   muxer.reset(format);
@@ -153,9 +110,9 @@ void Mp4Writer::Film::open_encoder() {
 
   // No scene cuts: key frames fall on whole seconds and nowhere else. cpu-independent: the same bytes on every machine.
   AVDictionary* options = nullptr;
-  av_dict_set(&options, "preset", kPreset, 0);
+  av_dict_set(&options, "preset", preset, 0);
   av_dict_set(&options, "profile", "high", 0);
-  av_dict_set(&options, "crf", kQuality, 0);
+  av_dict_set(&options, "crf", quality, 0);
   av_dict_set(&options, "x264-params", "scenecut=0:cpu-independent=1", 0);
   const int opened = avcodec_open2(encoder.get(), codec, &options);
   const Libav<AVDictionary> unknown(options);
@@ -168,7 +125,6 @@ void Mp4Writer::Film::write_header() {
   stream->time_base = encoder->time_base;
   stream->avg_frame_rate = encoder->framerate;
   check(avio_open(&muxer->pb, muxer->url, AVIO_FLAG_WRITE), "create");
-  part.created();
 
   AVDictionary* options = nullptr;
   av_dict_set(&options, "movflags", "+faststart", 0);
@@ -198,11 +154,8 @@ void Mp4Writer::Film::encode(const AVFrame* frame) {
   }
 }
 
-Mp4Writer::Mp4Writer(const std::filesystem::path& file, const Settings& settings)
-    : film_(std::make_unique<Film>(file, settings)) {}
+Mp4Writer::Mp4Writer(const Part& part, const Settings& settings) : film_(std::make_unique<Film>(part, settings)) {}
 
-Mp4Writer::Mp4Writer(Mp4Writer&&) noexcept = default;
-Mp4Writer& Mp4Writer::operator=(Mp4Writer&&) noexcept = default;
 Mp4Writer::~Mp4Writer() = default;
 
 void Mp4Writer::write(const Image& frame, Rect changed) {
@@ -215,8 +168,8 @@ void Mp4Writer::write(const Image& frame, Rect changed) {
   AVFrame* picture = film.picture.get();
   // Copies the picture, should the encoder still hold it.
   film.check(av_frame_make_writable(picture), "allocate a picture");
-  const Rect part = film.frames == 0 ? frame.bounds() : intersect(changed, frame.bounds());
-  convert_to_i420(frame, part,
+  const Rect area = film.frames == 0 ? frame.bounds() : intersection(changed, frame.bounds());
+  convert_to_i420(frame, area,
                   {picture->data[0], picture->data[1], picture->data[2], picture->linesize[0], picture->linesize[1],
                    picture->linesize[2]});
   picture->pts = film.frames++;
@@ -232,7 +185,6 @@ void Mp4Writer::finish() {
   avio_flush(film.muxer->pb);
   film.check(film.muxer->pb->error, "write the index");
   film.check(avio_closep(&film.muxer->pb), "close");
-  film.part.publish(film.file);
   film_.reset();
 }
 

@@ -1,18 +1,17 @@
 // Writes pictures, one after the other, as an H.264 film in an MP4 file that a web page can play while it loads.
 //
 // H.264 High, yuv420p, BT.709 in limited range, a closed group of pictures and a key frame each second, index first.
-// The film grows as `file` + ".part" and takes its name only when it is complete: finish() flushes it to the disk and
-// renames it over what stood there. A writer destroyed unfinished removes its part; an older film under the name
-// survives. The same pictures give the same bytes, on any CPU and beside any number of other writers (one thread a
-// writer, any thread). Throws std::invalid_argument for odd or empty sizes, a picture of another size, a film without
+// It is written into a Part, which must outlive the writer, and which the caller publishes after finish(). The same
+// pictures give the same bytes, on any CPU and beside any number of other writers (one thread a writer, any thread).
+// Throws std::invalid_argument for odd or empty sizes, a picture of another size, a film without
 // pictures; std::runtime_error (file, operation, the library's text) when the outside world fails. After a throw the
 // writer can only be destroyed. Sources: FFmpeg's libavcodec and libavformat; ITU-T H.264; ITU-R BT.709-6.
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <string>
 
+#include "files/part.h"
 #include "image/image.h"
 
 namespace bookspin {
@@ -26,9 +25,7 @@ class Mp4Writer {
     std::string title;  // as players show it; empty: none
   };
 
-  Mp4Writer(const std::filesystem::path& file, const Settings& settings);
-  Mp4Writer(Mp4Writer&&) noexcept;
-  Mp4Writer& operator=(Mp4Writer&&) noexcept;
+  Mp4Writer(const Part& part, const Settings& settings);
   Mp4Writer(const Mp4Writer&) = delete;
   Mp4Writer& operator=(const Mp4Writer&) = delete;
   ~Mp4Writer();

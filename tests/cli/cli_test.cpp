@@ -1,9 +1,16 @@
 // The program as a user meets it: good and bad calls, exit codes, what is written where.
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <sstream>
 
 #include "cli/command.h"
@@ -267,8 +274,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{"size_of_one_number", "render mine.toml -o . --size 64x", 2, "--size: found '64x'"},
         BadCall{"size_too_large", "frame mine.toml --frame 0 -o a.png --size 9000x9000", 2, "from 16 to 4096"},
         BadCall{"frames_reversed", "render mine.toml -o . --frames 8:3", 2, "--frames: found '8:3'; allowed: A:B"},
-        BadCall{"frames_beyond", "render mine.toml -o . --frames 0:13", 2,
-                "--frames: found '0:13'; allowed: A:B with 0 <= A < B <= 12 for mine.toml"},
+        BadCall{"frames_beyond", "render mine.toml -o . --frames 0:13", 1,
+                "mine.toml: found frames 0:13; allowed: A:B with 0 <= A < B <= 12"},
         BadCall{"frame_beyond", "frame mine.toml --frame 12 -o a.png", 2, "--frame: found '12'; allowed: 0 to 11"},
         BadCall{"frame_in_words", "frame mine.toml --frame abc -o a.png", 2,
                 "--frame: found 'abc'; allowed: a whole number from 0"},
@@ -299,13 +306,96 @@ TEST_F(Cli, OutputThatNobodyCanReadIsAnError) {
   EXPECT_EQ(read_mp4_info(scratch / "films/mine.mp4").frames, 12);  // nothing was printed into a film
 }
 
-// Ctrl-C in the middle of a long film.
-TEST_F(Cli, AnInterruptLeavesNothingHalfMade) {
-  const Said said = run(scratch, "timeout -s INT 2 " + bookspin +
-                                     "render mine.toml -o films --set clip.frames=100000 --set clip.substeps=1");
-  EXPECT_NE(said.exit_code, 0);
-  EXPECT_THAT(said.err, HasSubstr("bookspin: stopped"));
+// Starts the program without a shell, which would have it ignore SIGINT; `error` is its standard error.
+pid_t start(const fs::path& folder, std::vector<const char*> arguments, const char* error = "/dev/null") {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  fs::current_path(folder);
+  std::freopen("/dev/null", "w", stdout);
+  std::freopen(error, "w", stderr);
+  arguments.insert(arguments.begin(), "bookspin");
+  arguments.push_back(nullptr);
+  execv((std::string(BOOKSPIN_BINARY_DIR) + "/bookspin").c_str(), const_cast<char* const*>(arguments.data()));
+  _exit(127);
+}
+
+int exit_code_of(pid_t child) {
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+void wait_for_a_file_in(const fs::path& folder) {
+  std::error_code not_yet;
+  while (fs::directory_iterator(folder, not_yet) == fs::directory_iterator()) usleep(10000);
+}
+
+struct Interruption {
+  const char* name;
+  int signal;
+  const char* set;
+};
+
+class Interrupted : public testing::TestWithParam<Interruption> {};
+
+// The films, and the simulation of one, would last for hours.
+TEST_P(Interrupted, LeavesNothingHalfMadeAndSaysBySignal) {
+  const Scratch scratch;
+  write_text(scratch / "mine.toml", good_script);
+  const pid_t child = start(
+      scratch.folder(),
+      {"render", "mine.toml", "-o", "films", "--size", "64x36", "--set", "clip.frames=100000", "--set", GetParam().set},
+      "error");
+  wait_for_a_file_in(scratch / "films");
+  kill(child, GetParam().signal);
+  EXPECT_EQ(exit_code_of(child), 128 + GetParam().signal);
+  EXPECT_EQ(read_text(scratch / "error"), "bookspin: stopped\n");
   EXPECT_TRUE(fs::is_empty(scratch / "films"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Cli, Interrupted,
+                         testing::Values(Interruption{"filming_by_ctrl_c", SIGINT, "clip.substeps=1"},
+                                         Interruption{"filming_by_kill", SIGTERM, "clip.substeps=1"},
+                                         Interruption{"filming_by_hangup", SIGHUP, "clip.substeps=1"},
+                                         Interruption{"simulating_by_ctrl_c", SIGINT, "clip.substeps=1000000"}),
+                         [](const auto& param_info) { return param_info.param.name; });
+
+TEST_F(Cli, CheckAndTrajectoryCanBeStopped) {
+  for (const char* command : {"check", "trajectory"}) {
+    ASSERT_EQ(mkfifo((scratch / "script").c_str(), 0600), 0);
+    const pid_t child = start(scratch.folder(), {command, "script", "--set", "clip.substeps=1000000"});
+    write_text(scratch / "script", good_script);  // from now on the command listens, or will before it simulates
+    kill(child, SIGTERM);
+    EXPECT_EQ(exit_code_of(child), 128 + SIGTERM) << command;
+    fs::remove(scratch / "script");
+  }
+}
+
+// The terminal goes away; whoever ignores the hangup, as nohup does, has the film made to its end.
+TEST_F(Cli, AProgressLineThatCannotBeWrittenIsDropped) {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  ASSERT_GE(terminal, 0);
+  ASSERT_EQ(grantpt(terminal) + unlockpt(terminal), 0);
+  auto* const before = std::signal(SIGHUP, SIG_IGN);
+  const pid_t child =
+      start(scratch.folder(), {"render", "mine.toml", "-o", "films", "--size", "64x36", "--set", "clip.frames=300"},
+            ptsname(terminal));
+  wait_for_a_file_in(scratch / "films");
+  close(terminal);
+  EXPECT_EQ(exit_code_of(child), 0);
+  EXPECT_EQ(read_mp4_info(scratch / "films/mine.mp4").frames, 300);
+  std::signal(SIGHUP, before);
+}
+
+TEST_F(Cli, NeverWritesOverTheScript) {
+  for (const char* name : {"mine.json", "mine.png", "mine.csv"}) fs::copy_file(scratch / "mine.toml", scratch / name);
+  for (const char* command : {"trajectory mine.csv -o mine.csv", "frame mine.png --frame 0 -o ./mine.png",
+                              "render mine.json -o . --size 64x36"}) {
+    const Said said = (*this)(command);
+    EXPECT_NE(said.exit_code, 0) << command;
+    EXPECT_THAT(said.err, HasSubstr("script")) << command;
+    for (const char* name : {"mine.json", "mine.png", "mine.csv"}) EXPECT_EQ(read_text(scratch / name), good_script);
+  }
 }
 
 }  // namespace

@@ -56,15 +56,15 @@ TEST_P(Figure, FirstMiddleAndLastFrameAreTheGoldens) {
 
 TEST_P(Figure, FilmHasEveryFrameAndMeetsEveryExpectation) {
   const Scratch scratch;
-  FilmOrder order{script(GetParam()), scratch.folder(), {}};
-  order.made_with.width = 160;
-  order.made_with.height = 90;
+  FilmSettings settings;
+  settings.width = 160;
+  settings.height = 90;
+  const Film film = load_film(script(GetParam()), settings);
   Renderer renderer(160, 90, project);
   Progress progress;
-  const FilmReceipt receipt = shoot(order, renderer, progress);
-  const Scene scene = load_scene(script(GetParam()));
-  EXPECT_EQ(receipt.frames, scene.clip.frames);
-  EXPECT_EQ(progress.frames_done, scene.clip.frames);
+  const FilmReceipt receipt = shoot(film, scratch.folder(), renderer, progress);
+  const Scene& scene = film.scene;
+  EXPECT_EQ(progress.frames_drawn, scene.clip.frames);
   for (const Verdict& verdict : receipt.verdicts) EXPECT_TRUE(verdict.met) << verdict.says << ": " << verdict.text;
 
   const auto data = nlohmann::json::parse(read_text(scratch / (GetParam() + ".json")));

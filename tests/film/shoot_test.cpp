@@ -4,10 +4,14 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <chrono>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <thread>
 
+#include "film/film_data.h"
 #include "image/png.h"
 #include "render/renderer.h"
 #include "scene/scene_file.h"
@@ -18,7 +22,9 @@ namespace bookspin {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 const fs::path project = BOOKSPIN_SOURCE_DIR;
 constexpr int width = 160;
@@ -39,11 +45,11 @@ quantity = "orthogonality_defect"
 at_most = 1e-12
 )";
 
-FilmOrder order_for(const fs::path& script, const fs::path& folder) {
-  FilmOrder order{script, folder, {}};
-  order.made_with.width = width;
-  order.made_with.height = height;
-  return order;
+FilmSettings small() {
+  FilmSettings settings;
+  settings.width = width;
+  settings.height = height;
+  return settings;
 }
 
 std::vector<std::string> files_in(const fs::path& folder) {
@@ -56,9 +62,23 @@ std::vector<std::string> files_in(const fs::path& folder) {
 struct Shoot : testing::Test {
   Shoot() { write_text(script, tumbling); }
 
-  FilmReceipt shoot_it(const FilmOrder& order) {
-    Renderer renderer(order.made_with.width, order.made_with.height, project);
-    return shoot(order, renderer, progress);
+  FilmReceipt shoot_it(const Film& film, const std::stop_token& stop = {}) {
+    Renderer renderer(film.width, film.height, project);
+    return shoot(film, site, renderer, progress, stop);
+  }
+
+  FilmReceipt shoot_it() { return shoot_it(load_film(script, small())); }
+
+  // The products: name and content.
+  [[nodiscard]] std::map<std::string, std::string> products_there() const {
+    std::map<std::string, std::string> texts;
+    for (const std::string& name : files_in(site)) texts[name] = read_text(site / name);
+    return texts;
+  }
+
+  [[nodiscard]] bool up_to_date(const FilmSettings& settings = small()) const {
+    const Film film = load_film(script, settings);
+    return is_up_to_date(film, products(film, site));
   }
 
   Scratch scratch;
@@ -68,7 +88,7 @@ struct Shoot : testing::Test {
 };
 
 TEST_F(Shoot, LeavesFilmPosterAndData) {
-  const FilmReceipt receipt = shoot_it(order_for(script, site));
+  const FilmReceipt receipt = shoot_it();
   EXPECT_EQ(files_in(site), (std::vector<std::string>{"tumbling.json", "tumbling.mp4", "tumbling.png"}));
   EXPECT_EQ(receipt.product, site / "tumbling.mp4");
   EXPECT_EQ(receipt.bytes, fs::file_size(site / "tumbling.mp4"));
@@ -95,7 +115,7 @@ TEST_F(Shoot, LeavesFilmPosterAndData) {
 }
 
 TEST_F(Shoot, TheFilmShowsWhatWasDrawn) {
-  shoot_it(order_for(script, site));
+  shoot_it();
   const Scene scene = load_scene(script);
   for (const int frame : {0, 12, 23}) {
     const Image decoded = read_frame(site / "tumbling.mp4", frame);
@@ -107,73 +127,190 @@ TEST_F(Shoot, TheFilmShowsWhatWasDrawn) {
 }
 
 TEST_F(Shoot, ThePosterIsTheMiddleFrame) {
-  shoot_it(order_for(script, site));
+  shoot_it();
   const Image poster = read_png(site / "tumbling.png");
   EXPECT_EQ(poster.rgba, draw_frame(load_scene(script), 12, width, height, project).rgba);
 }
 
 TEST_F(Shoot, AStillLeavesNoFilm) {
-  FilmOrder order = order_for(script, site);
-  order.made_with.overrides = {"clip.frames=1"};
-  const FilmReceipt receipt = shoot_it(order);
+  FilmSettings settings = small();
+  settings.overrides = {"clip.frames=1"};
+  const FilmReceipt receipt = shoot_it(load_film(script, settings));
   EXPECT_EQ(receipt.product, site / "tumbling.png");
   EXPECT_EQ(files_in(site), (std::vector<std::string>{"tumbling.json", "tumbling.png"}));
 }
 
 TEST_F(Shoot, PartOfTheFramesOfTheSameMotion) {
-  FilmOrder order = order_for(script, site);
-  order.made_with.first_frame = 10;
-  order.made_with.end_frame = 14;
-  shoot_it(order);
+  FilmSettings settings = small();
+  settings.first_frame = 10;
+  settings.end_frame = 14;
+  shoot_it(load_film(script, settings));
   EXPECT_EQ(read_mp4_info(site / "tumbling.mp4").frames, 4);
   const Image drawn = draw_frame(load_scene(script), 13, width, height, project);
   EXPECT_GT(psnr(drawn, read_frame(site / "tumbling.mp4", 3)), 30.0);  // measured 33 dB
 }
 
 TEST_F(Shoot, FramesThatTheSceneLacksAreAnError) {
-  FilmOrder order = order_for(script, site);
-  order.made_with.first_frame = 20;
-  order.made_with.end_frame = 25;
-  try {
-    shoot_it(order);
-    FAIL() << "no error";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_THAT(error.what(), HasSubstr("found frames 20:25; allowed: A:B with 0 <= A < B <= 24"));
-  }
-  EXPECT_FALSE(fs::exists(site));
+  FilmSettings settings = small();
+  settings.first_frame = 20;
+  settings.end_frame = 25;
+  EXPECT_THAT([&] { (void)load_film(script, settings); },
+              ThrowsMessage<std::invalid_argument>(
+                  HasSubstr("tumbling.toml: found frames 20:25; allowed: A:B with 0 <= A < B <= 24")));
 }
 
 TEST_F(Shoot, TwiceTheSameBytesWhateverTheNumberOfWorkers) {
   const fs::path other = scratch / "other.toml";
   write_text(other, tumbling);
-  std::vector<FilmOrder> orders{order_for(script, site), order_for(other, site)};
-  for (const FilmOutcome& outcome : shoot_all(orders, project, 2, progress)) EXPECT_EQ(outcome.error, "");
-  const std::string film = read_text(site / "tumbling.mp4");
-  const std::string data = read_text(site / "tumbling.json");
-  EXPECT_EQ(film, read_text(site / "other.mp4"));
-  for (const FilmOutcome& outcome : shoot_all(orders, project, 1, progress)) EXPECT_EQ(outcome.error, "");
-  EXPECT_EQ(film, read_text(site / "tumbling.mp4"));
-  EXPECT_EQ(data, read_text(site / "tumbling.json"));
+  const std::vector<Film> films{load_film(script, small()), load_film(other, small())};
+  for (const FilmOutcome& outcome : shoot_all(films, site, project, 2, progress)) EXPECT_EQ(outcome.error, "");
+  const auto made = products_there();
+  EXPECT_EQ(made.at("tumbling.mp4"), made.at("other.mp4"));
+  for (const FilmOutcome& outcome : shoot_all(films, site, project, 1, progress)) EXPECT_EQ(outcome.error, "");
+  EXPECT_EQ(products_there(), made);
   EXPECT_EQ(progress.films_done, 4);
+  EXPECT_EQ(progress.frames_simulated, 4 * 24);
+  EXPECT_EQ(progress.frames_drawn, 4 * 24);
+}
+
+// The script is saved anew, or gone, while its film is in the making.
+TEST_F(Shoot, TheDataShowTheScriptThatMadeTheFilm) {
+  const Film film = load_film(script, small());
+  const std::string edited = std::string(tumbling) + "# edited\n";
+  write_text(script, edited);
+  shoot_it(film);
+  EXPECT_EQ(nlohmann::json::parse(read_text(site / "tumbling.json"))["script"], tumbling);
+  EXPECT_FALSE(up_to_date());
+  shoot_it();
+  EXPECT_EQ(nlohmann::json::parse(read_text(site / "tumbling.json"))["script"], edited);
+  EXPECT_TRUE(up_to_date());
+
+  fs::remove(script);
+  shoot_it(film);
+  write_text(script, tumbling);
+  EXPECT_TRUE(up_to_date());
+}
+
+// What a FIFO, or bash's <(...), says it says once.
+TEST_F(Shoot, AScriptMayBeAFifo) {
+  fs::remove(script);
+  ASSERT_EQ(mkfifo(script.c_str(), 0600), 0);
+  std::jthread writer([this] { write_text(script, tumbling); });
+  const Film film = load_film(script, small());
+  writer.join();
+  shoot_it(film);
+  EXPECT_EQ(nlohmann::json::parse(read_text(site / "tumbling.json"))["script"], tumbling);
 }
 
 TEST_F(Shoot, AStoppedFilmLeavesTheLastGoodOne) {
-  shoot_it(order_for(script, site));
-  const std::string film = read_text(site / "tumbling.mp4");
-  const std::string data = read_text(site / "tumbling.json");
-  progress.stop = true;
-  EXPECT_THROW(shoot_it(order_for(script, site)), Stopped);
-  EXPECT_EQ(film, read_text(site / "tumbling.mp4"));
-  EXPECT_EQ(data, read_text(site / "tumbling.json"));
-  EXPECT_EQ(files_in(site).size(), 3U);  // no .part
+  shoot_it();
+  const auto made = products_there();
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_THROW(shoot_it(load_film(script, small()), source.get_token()), Stopped);
+  EXPECT_EQ(products_there(), made);
+
+  const std::vector<Film> films{load_film(script, small())};
+  const std::vector<FilmOutcome> outcomes = shoot_all(films, site, project, 1, progress, source.get_token());
+  EXPECT_FALSE(outcomes[0].receipt.has_value());
+  EXPECT_EQ(outcomes[0].error, "");
+  EXPECT_EQ(products_there(), made);
+}
+
+// A name that cannot be taken is found out before anything is drawn, whichever of the three it is.
+TEST_F(Shoot, AProductThatCannotTakeItsNameLeavesTheWholeOldSet) {
+  shoot_it();
+  for (const char* product : {"tumbling.mp4", "tumbling.png", "tumbling.json"}) {
+    fs::rename(site / product, scratch / "kept");
+    fs::create_directories(site / product);
+    auto made = products_there();
+    progress.frames_drawn = 0;
+    FilmSettings other = small();
+    other.overrides = {"seed=2", "clip.frames=12"};
+    EXPECT_THAT([&] { shoot_it(load_film(script, other)); },
+                ThrowsMessage<std::runtime_error>(AllOf(HasSubstr(product), HasSubstr("is a folder"))));
+    EXPECT_EQ(progress.frames_drawn, 0);
+    EXPECT_EQ(products_there(), made);
+    fs::remove(site / product);
+    fs::rename(scratch / "kept", site / product);
+  }
+  EXPECT_TRUE(up_to_date());
+}
+
+TEST_F(Shoot, AFilmNeverReplacesItsScript) {
+  fs::create_directories(site);
+  for (const char* name : {"scene.mp4", "scene.png", "scene.json"}) {
+    write_text(site / name, tumbling);
+    EXPECT_THAT([&] { shoot_it(load_film(site / name, small())); },
+                ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr(name), HasSubstr("call that scene.toml"))));
+    EXPECT_EQ(read_text(site / name), tumbling);
+    fs::remove(site / name);
+  }
+}
+
+TEST_F(Shoot, NamesAsLongAsAFileMayHave) {
+  const std::string longest(250, 'n');
+  write_text(scratch / (longest + ".toml"), tumbling);
+  FilmSettings settings = small();
+  settings.end_frame = 1;
+  shoot_it(load_film(scratch / (longest + ".toml"), settings));
+  EXPECT_EQ(files_in(site), (std::vector<std::string>{longest + ".json", longest + ".mp4", longest + ".png"}));
+
+  const std::string too_long(251, 'n');  // "NAME.json" would have 256 bytes
+  write_text(scratch / (too_long + ".tml"), tumbling);
+  progress.frames_drawn = 0;
+  EXPECT_THAT([&] { shoot_it(load_film(scratch / (too_long + ".tml"), settings)); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("File name too long")));
+  EXPECT_EQ(progress.frames_drawn, 0);
+  EXPECT_EQ(files_in(site).size(), 3U);
+}
+
+TEST_F(Shoot, WhatTheDataCannotHoldIsRefusedBeforeTheWork) {
+  write_text(scratch / "bad\xff.toml", tumbling);
+  const auto refused = [](const std::string& where) {
+    return ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr(where), HasSubstr("UTF-8")));
+  };
+  EXPECT_THAT([&] { (void)load_film(scratch / "bad\xff.toml", small()); }, refused("file name"));
+  FilmSettings settings = small();
+  settings.overrides = {"caption=\xff"};
+  EXPECT_THAT([&] { (void)load_film(script, settings); }, refused("--set"));
+}
+
+// Two programs, or here two threads, make films of one name: what stands there in the end is one of them.
+TEST_F(Shoot, TwoWhoFilmOneNameDoNotMixTheirFilms) {
+  FilmSettings shorter = small();
+  shorter.overrides = {"clip.frames=12"};
+  for (int i = 0; i < 4; ++i) {
+    const auto film = [this](const FilmSettings& settings) { shoot_it(load_film(script, settings)); };
+    std::jthread one(film, small());
+    std::jthread other(film, shorter);
+    one.join();
+    other.join();
+    EXPECT_NE(up_to_date(small()), up_to_date(shorter));
+    const auto data = nlohmann::json::parse(read_text(site / "tumbling.json"));
+    EXPECT_EQ(read_mp4_info(site / "tumbling.mp4").frames, data["clip"]["frames"].get<int>());
+    EXPECT_EQ(files_in(site).size(), 3U);
+  }
+}
+
+TEST_F(Shoot, AStillTakesAwayTheFilmThatItWas) {
+  FilmSettings still = small();
+  still.overrides = {"clip.frames=1"};
+  shoot_it();
+  shoot_it(load_film(script, still));
+  EXPECT_EQ(files_in(site), (std::vector<std::string>{"tumbling.json", "tumbling.png"}));
+
+  write_text(site / "tumbling.mp4", "another's");
+  shoot_it(load_film(script, still));
+  EXPECT_EQ(read_text(site / "tumbling.mp4"), "another's");
 }
 
 TEST_F(Shoot, OneBadFilmDoesNotStopTheOthers) {
-  fs::create_directories(site / "tumbling.mp4" / "in the way");  // cannot be replaced by a file
+  fs::create_directories(site / "tumbling.mp4");  // cannot be replaced by a file
   const fs::path other = scratch / "other.toml";
   write_text(other, tumbling);
-  const std::vector<FilmOrder> orders{order_for(script, site), order_for(other, site)};
-  const std::vector<FilmOutcome> outcomes = shoot_all(orders, project, 1, progress);
+  const std::vector<Film> films{load_film(script, small()), load_film(other, small())};
+  const std::vector<FilmOutcome> outcomes = shoot_all(films, site, project, 1, progress);
   EXPECT_THAT(outcomes[0].error, HasSubstr("tumbling.mp4"));
   EXPECT_FALSE(outcomes[0].receipt.has_value());
   EXPECT_EQ(outcomes[1].error, "");
@@ -182,44 +319,62 @@ TEST_F(Shoot, OneBadFilmDoesNotStopTheOthers) {
 }
 
 TEST_F(Shoot, AnUnmetExpectationIsFilmedAndReported) {
-  FilmOrder order = order_for(script, site);
-  order.made_with.overrides = {"expect.0.at_most=-1"};
-  const FilmReceipt receipt = shoot_it(order);
+  FilmSettings settings = small();
+  settings.overrides = {"expect.0.at_most=-1"};
+  const FilmReceipt receipt = shoot_it(load_film(script, settings));
   ASSERT_EQ(receipt.verdicts.size(), 1U);
   EXPECT_FALSE(receipt.verdicts[0].met);
   EXPECT_FALSE(nlohmann::json::parse(read_text(site / "tumbling.json"))["met"].get<bool>());
-  EXPECT_FALSE(is_up_to_date(order, {}));  // it is told again until it is mended
+  EXPECT_FALSE(up_to_date(settings));  // it is told again until it is mended
 }
 
-// Touching one of a film's inputs, or asking for another film under its name, makes it anew; else it is left alone.
-TEST_F(Shoot, UpToDateUntilAnInputChanges) {
-  const fs::path shader = scratch / "shaders" / "deep.frag";
-  fs::create_directories(shader.parent_path());
-  write_text(shader, "");
-  const std::vector<fs::path> inputs{shader.parent_path()};
-  const FilmOrder order = order_for(script, site);
-  EXPECT_FALSE(is_up_to_date(order, inputs));
-  shoot_it(order);
-  EXPECT_TRUE(is_up_to_date(order, inputs));
+TEST_F(Shoot, UpToDateMeansMadeOfThisScriptInThisWayAndWhole) {
+  EXPECT_FALSE(up_to_date());
+  shoot_it();
+  EXPECT_TRUE(up_to_date());
+  fs::last_write_time(script, fs::last_write_time(script) + std::chrono::hours(1));  // content counts, not time
+  EXPECT_TRUE(up_to_date());
 
-  FilmOrder other_size = order;
-  other_size.made_with.width = 320;
-  EXPECT_FALSE(is_up_to_date(other_size, inputs));
-  FilmOrder changed = order;
-  changed.made_with.overrides = {"seed=2"};
-  EXPECT_FALSE(is_up_to_date(changed, inputs));
+  FilmSettings other = small();
+  other.width = 320;
+  EXPECT_FALSE(up_to_date(other));
+  other = small();
+  other.overrides = {"seed=2"};
+  EXPECT_FALSE(up_to_date(other));
+  other = small();
+  other.end_frame = 23;
+  EXPECT_FALSE(up_to_date(other));
+  other = small();
+  other.drawn_by = "another shader";
+  EXPECT_FALSE(up_to_date(other));
 
-  const auto later = fs::last_write_time(site / "tumbling.json") + std::chrono::seconds(1);
-  const auto before = fs::last_write_time(script);
-  fs::last_write_time(script, later);
-  EXPECT_FALSE(is_up_to_date(order, inputs));
-  fs::last_write_time(script, before);
-  EXPECT_TRUE(is_up_to_date(order, inputs));
-  fs::last_write_time(shader, later);
-  EXPECT_FALSE(is_up_to_date(order, inputs));
-  fs::last_write_time(shader, before);
-  fs::remove(site / "tumbling.mp4");
-  EXPECT_FALSE(is_up_to_date(order, inputs));
+  for (const auto& [name, text] : products_there()) {
+    for (const std::string& damage : {std::string(), text.substr(0, text.size() / 2), "{\"met\": \"yes\"}" + text}) {
+      write_text(site / name, damage);
+      EXPECT_FALSE(up_to_date()) << name;
+    }
+    fs::remove(site / name);
+    EXPECT_FALSE(up_to_date()) << name;
+    write_text(site / name, text);
+    EXPECT_TRUE(up_to_date()) << name;
+  }
+}
+
+// A scratch copy of what is drawn from: shaders and textures count, their sources do not.
+TEST(FingerprintOfDrawing, ChangesWithWhatIsDrawnFrom) {
+  const Scratch scratch;
+  for (const char* folder : {"shaders", "textures"}) fs::copy(project / folder, scratch / folder);
+  const std::string before = fingerprint_of_drawing(scratch.folder());
+  EXPECT_EQ(before, fingerprint_of_drawing(project));
+  write_text(scratch / "textures/front.svg", "");
+  EXPECT_EQ(before, fingerprint_of_drawing(scratch.folder()));
+  for (const char* file : {"shaders/line.frag", "textures/front.png"}) {
+    const std::string text = read_text(scratch / file);
+    write_text(scratch / file, text + " ");
+    EXPECT_NE(before, fingerprint_of_drawing(scratch.folder())) << file;
+    write_text(scratch / file, text);
+  }
+  EXPECT_EQ(before, fingerprint_of_drawing(scratch.folder()));
 }
 
 }  // namespace

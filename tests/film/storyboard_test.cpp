@@ -37,7 +37,7 @@ TEST_P(EveryFigure, KeepsTheMotionInViewAndFillsThePicture) {
     const Shot shot = storyboard.shot(n);
     for (const BookPose& book : shot.books) {
       for (int i = 0; i < 8; ++i) {
-        const PixelPoint p = project(shot.camera, width, height, book.corners_W.col(i));
+        const PixelPoint p = View(shot.camera, width, height).project(book.corners_W.col(i));
         ASSERT_GT(p.depth, 0.0);
         const double x = std::abs(p.x / width - 0.5);
         const double y = std::abs(p.y / height - 0.5);
@@ -78,8 +78,8 @@ TEST(Storyboard, BooksStandWhereTheScriptPutsThemWithTheirNames) {
     EXPECT_LT((centre - scene.books[b].position_W).norm(), 1e-12);  // measured 0
     const Label* name = find_label(shot, scene.books[b].name);
     ASSERT_NE(name, nullptr);
-    const PixelPoint below = project(shot.camera, width, height, *name->anchor_W);
-    const PixelPoint book = project(shot.camera, width, height, centre);
+    const PixelPoint below = View(shot.camera, width, height).project(*name->anchor_W);
+    const PixelPoint book = View(shot.camera, width, height).project(centre);
     EXPECT_NEAR(below.x, book.x, 1e-9);  // measured 0
     EXPECT_GT(below.y, book.y);
   }
@@ -95,7 +95,7 @@ TEST(Storyboard, AxesAreDrawnAndNamedOnRequest) {
     EXPECT_EQ((arrow.to_W - arrow.from_W).normalized(), Eigen::Vector3d::Unit(d));
     const Label* name = find_label(shot, std::string(1, "xyz"[d]));
     ASSERT_NE(name, nullptr);
-    const PixelPoint p = project(shot.camera, width, height, *name->anchor_W);
+    const PixelPoint p = View(shot.camera, width, height).project(*name->anchor_W);
     EXPECT_GT(p.x, 0.05 * width);
     EXPECT_LT(p.x, 0.95 * width);
     EXPECT_GT(p.y, 0.05 * height);

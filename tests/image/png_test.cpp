@@ -75,30 +75,27 @@ TEST_F(Png, SameImageSameBytes) {
 TEST_F(Png, LeavesNothingHalfWritten) {
   const Image image = gradient(255);
   write_png(folder_ / "good.png", image);
-  EXPECT_FALSE(fs::exists(folder_ / "good.png.part"));
-
-  // A folder stands where the file should go: the rename fails after everything has been written.
-  fs::create_directories(folder_ / "taken.png" / "by_a_folder");
+  fs::create_directories(folder_ / "taken.png");
   EXPECT_THAT([&] { write_png(folder_ / "taken.png", image); },
-              ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("taken.png"), HasSubstr("rename"))));
-  EXPECT_FALSE(fs::exists(folder_ / "taken.png.part"));
+              ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("taken.png"), HasSubstr("is a folder"))));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 2);
 }
 
 TEST_F(Png, ErrorsNameFileOperationAndReason) {
-  EXPECT_THAT([&] { read_png(folder_ / "none.png"); },
+  EXPECT_THAT([&] { (void)read_png(folder_ / "none.png"); },
               ThrowsMessage<std::runtime_error>(
                   AllOf(HasSubstr("none.png"), HasSubstr("open PNG"), HasSubstr("No such file or directory"))));
   EXPECT_THAT([&] { write_png(folder_ / "no" / "folder.png", gradient(255)); },
-              ThrowsMessage<std::runtime_error>(
-                  AllOf(HasSubstr("folder.png"), HasSubstr("create PNG"), HasSubstr("No such file or directory"))));
+              ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("folder.png"), HasSubstr("cannot be opened"),
+                                                      HasSubstr("No such file or directory"))));
 
   std::ofstream(folder_ / "text.png") << "this is not a picture";
-  EXPECT_THAT([&] { read_png(folder_ / "text.png"); },
+  EXPECT_THAT([&] { (void)read_png(folder_ / "text.png"); },
               ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("text.png"), HasSubstr("read PNG"), HasSubstr("PNG"))));
 
   write_png(folder_ / "cut.png", gradient(255));
   fs::resize_file(folder_ / "cut.png", fs::file_size(folder_ / "cut.png") / 2);
-  EXPECT_THAT([&] { read_png(folder_ / "cut.png"); },
+  EXPECT_THAT([&] { (void)read_png(folder_ / "cut.png"); },
               ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("cut.png"), HasSubstr("read PNG"))));
 }
 

@@ -137,7 +137,9 @@ TEST(Renderer, ThreadsDrawTheSameBytes) {
 TEST(Renderer, FrontCoverFacesPlusZAndItsTitleIsAtTheBottom) {
   const Shot shot = shot_of(book_at(0, 0, 0));
   const Image image = draw(shot);
-  const auto seen = [&](double x, double y) { return pixel_at(image, project(shot.camera, 480, 270, {x, y, 0.25})); };
+  const auto seen = [&](double x, double y) {
+    return pixel_at(image, View(shot.camera, 480, 270).project({x, y, 0.25}));
+  };
   EXPECT_TRUE(is_yellow(seen(-0.6, 1.3)));
   EXPECT_TRUE(is_yellow(seen(0.85, 1.3)));
   EXPECT_TRUE(is_blue(seen(0.85, -1.35)));

@@ -19,12 +19,14 @@ using testing::ElementsAre;
 
 // A film of `frames` pictures of the moving box.
 std::filesystem::path film(const std::filesystem::path& file, const MovingBox& scene, int frames, bool whole = false) {
-  Mp4Writer writer(file, {.width = scene.width, .height = scene.height, .fps = 60, .title = {}});
+  Part part(file);
+  Mp4Writer writer(part, {.width = scene.width, .height = scene.height, .fps = 60, .title = {}});
   for (int k = 0; k < frames; ++k) {
     const Image picture = scene.draw(k);
     writer.write(picture, whole ? picture.bounds() : scene.changed(k));
   }
   writer.finish();
+  publish({&part});
   return file;
 }
 
@@ -54,11 +56,14 @@ INSTANTIATE_TEST_SUITE_P(Mp4Writer, FilmLength, testing::Values(1, 2, 250));
 
 TEST(Mp4Writer, FileSaysWhatPlayersNeed) {
   const auto folder = empty_folder("tags");
-  const auto file = folder / "odd: name.mp4";
+  const auto file = folder / "odd: folder" / "odd: name.mp4";
+  std::filesystem::create_directories(file.parent_path());
   const MovingBox scene{128, 72};
-  Mp4Writer writer(file, {.width = 128, .height = 72, .fps = 30, .title = "Bücher – a title"});
+  Part part(file);
+  Mp4Writer writer(part, {.width = 128, .height = 72, .fps = 30, .title = "Bücher – a title"});
   for (int k = 0; k < 100; ++k) writer.write(scene.draw(k), scene.changed(k));
   writer.finish();
+  publish({&part});
   const Mp4Info info = read_mp4_info(file);
   EXPECT_EQ(info.codec, "h264");
   EXPECT_EQ(info.profile, "High");
@@ -82,13 +87,15 @@ TEST(Mp4Writer, FileSaysWhatPlayersNeed) {
 TEST(Mp4Writer, KeyFramesFallOnWholeSecondsDespiteCuts) {
   const auto folder = empty_folder("cuts");
   const MovingBox scene{128, 72};
-  Mp4Writer writer(folder / "film.mp4", {.width = 128, .height = 72, .fps = 20, .title = {}});
+  Part part(folder / "film.mp4");
+  Mp4Writer writer(part, {.width = 128, .height = 72, .fps = 20, .title = {}});
   for (int k = 0; k < 50; ++k) {
     Image picture = scene.draw(k);
     if (k / 15 % 2 == 1) std::reverse(picture.rgba.begin(), picture.rgba.end());
     writer.write(picture, picture.bounds());
   }
   writer.finish();
+  publish({&part});
   EXPECT_THAT(read_mp4_info(folder / "film.mp4").key_frames, ElementsAre(0, 20, 40));
 }
 
@@ -106,9 +113,11 @@ TEST(Mp4Writer, FlatColoursComeBack) {
   int worst = 0;
   for (const auto& [r, g, b] : colours) {
     const Image drawn = flat_picture(64, 48, r, g, b);
-    Mp4Writer writer(folder / "film.mp4", {.width = 64, .height = 48, .fps = 60, .title = {}});
+    Part part(folder / "film.mp4");
+    Mp4Writer writer(part, {.width = 64, .height = 48, .fps = 60, .title = {}});
     for (int k = 0; k < 3; ++k) writer.write(drawn, k == 0 ? drawn.bounds() : Rect{});
     writer.finish();
+    publish({&part});
     EXPECT_EQ(read_frames(folder / "film.mp4",
                           [&](int, const Image& shown) {
                             for (std::size_t i = 0; i < drawn.rgba.size(); ++i)
@@ -136,9 +145,11 @@ TEST(Mp4Writer, ChangedRectangleGivesTheSameFile) {
 TEST(Mp4Writer, ChangedRectangleMayReachOverTheEdge) {
   const auto folder = empty_folder("edge");
   const MovingBox scene{64, 48};
-  Mp4Writer writer(folder / "over.mp4", {.width = 64, .height = 48, .fps = 60, .title = {}});
+  Part part(folder / "over.mp4");
+  Mp4Writer writer(part, {.width = 64, .height = 48, .fps = 60, .title = {}});
   for (int k = 0; k < 5; ++k) writer.write(scene.draw(k), {-100, -7, 1000, 900});
   writer.finish();
+  publish({&part});
   EXPECT_EQ(bytes_of(folder / "over.mp4"), bytes_of(film(folder / "whole.mp4", scene, 5, true)));
 }
 

@@ -1,0 +1,11 @@
+# Writes ${HEADER}: one number for all sources below ${SOURCE_DIR} that have a say in a picture.
+set(all "")
+foreach(room dynamics scene image render video film)
+  file(GLOB files ${SOURCE_DIR}/${room}/*.h ${SOURCE_DIR}/${room}/*.cpp)
+  foreach(file ${files})
+    file(SHA256 ${file} digest)
+    string(APPEND all ${digest})
+  endforeach()
+endforeach()
+string(SHA256 digest "${all}")
+file(WRITE ${HEADER} "inline constexpr const char* drawing_source = \"${digest}\";\n")

@@ -1,0 +1,150 @@
+// A file in the making is private, and several take their names together or not at all.
+
+#include "files/part.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <stdexcept>
+
+#include "files/files.h"
+#include "scratch.h"
+
+namespace bookspin {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+void write(const Part& part, const std::string& text) {
+  write_part(part, [&text](std::ostream& out) { out << text; });
+}
+
+std::ptrdiff_t files_in(const fs::path& folder) {
+  return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
+}
+
+TEST(Part, IsPrivateUntilItIsPublished) {
+  const Scratch scratch;
+  write_text(scratch / "a", "old");
+  Part part(scratch / "a");
+  write(part, "new");
+  EXPECT_EQ(part.path().parent_path(), scratch.folder());
+  EXPECT_EQ(read_text(scratch / "a"), "old");
+  publish({&part});
+  EXPECT_EQ(read_text(scratch / "a"), "new");
+  EXPECT_EQ(files_in(scratch.folder()), 1);
+}
+
+TEST(Part, IsGoneUnlessItIsPublished) {
+  const Scratch scratch;
+  { write(Part(scratch / "a"), "new"); }
+  EXPECT_TRUE(fs::is_empty(scratch.folder()));
+}
+
+TEST(Part, LeavesAUsersFilesAlone) {
+  const Scratch scratch;
+  fs::create_directories(scratch / "a.part");
+  write_text(scratch / "b.part", "mine");
+  write_text(scratch / "victim", "mine");
+  fs::create_symlink("victim", scratch / "c.part");
+  for (const char* name : {"a", "b", "c"}) write_file(scratch / name, "new");
+  EXPECT_TRUE(fs::is_directory(scratch / "a.part"));
+  EXPECT_EQ(read_text(scratch / "b.part"), "mine");
+  EXPECT_EQ(read_text(scratch / "victim"), "mine");
+  EXPECT_EQ(files_in(scratch.folder()), 7);
+}
+
+TEST(Part, TwoOfOneNameDoNotMeet) {
+  const Scratch scratch;
+  Part one(scratch / "a");
+  Part two(scratch / "a");
+  write(one, "one, and longer");
+  write(two, "two");
+  publish({&one});
+  EXPECT_EQ(read_text(scratch / "a"), "one, and longer");
+  publish({&two});
+  EXPECT_EQ(read_text(scratch / "a"), "two");
+}
+
+TEST(Part, RefusesToReplaceWhatIsNoFile) {
+  const Scratch scratch;
+  fs::create_directories(scratch / "folder");
+  write_text(scratch / "target", "mine");
+  fs::create_symlink("target", scratch / "link");
+  ASSERT_EQ(mkfifo((scratch / "fifo").c_str(), 0600), 0);
+  const auto refused = [](const std::string& why) { return ThrowsMessage<std::runtime_error>(HasSubstr(why)); };
+  EXPECT_THAT([&] { Part(scratch / "folder"); }, refused("folder: cannot be replaced: is a folder"));
+  EXPECT_THAT([&] { Part(scratch / "link"); }, refused("link: cannot be replaced: is a symbolic link"));
+  EXPECT_THAT([&] { Part(scratch / "fifo"); }, refused("fifo: cannot be replaced: is not a regular file"));
+  EXPECT_THAT([&] { Part("/dev/null"); }, refused("/dev/null: cannot be replaced: is not a regular file"));
+  EXPECT_THAT([&] { Part(scratch / "no/folder"); },
+              refused("no/folder: cannot be opened for writing: No such file or directory"));
+  EXPECT_EQ(files_in(scratch.folder()), 4);
+}
+
+TEST(Part, WorksForEveryNameThatAFileMayHave) {
+  const Scratch scratch;
+  const std::string longest(255, 'n');
+  write_file(scratch / longest, "text");
+  EXPECT_EQ(read_text(scratch / longest), "text");
+  EXPECT_THAT([&] { Part(scratch / (longest + 'n')); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("cannot be opened for writing: File name too long")));
+}
+
+// A folder comes into the way of the second or the third while the files are being made.
+TEST(Part, SeveralTakeTheirNamesTogetherOrNotAtAll) {
+  for (const char* blocked : {"b", "c"}) {
+    const Scratch scratch;
+    for (const char* name : {"a", "b", "c"}) write_text(scratch / name, "old");
+    {
+      Part a(scratch / "a");
+      Part b(scratch / "b");
+      Part c(scratch / "c");
+      for (const Part* part : {&a, &b, &c}) write(*part, "new");
+      fs::remove(scratch / blocked);
+      fs::create_directories(scratch / blocked);
+      EXPECT_THAT([&] { publish({&a, &b, &c}); }, ThrowsMessage<std::runtime_error>(HasSubstr("is a folder")));
+    }
+    for (const char* name : {"a", "b", "c"}) {
+      if (name == std::string(blocked)) continue;
+      EXPECT_EQ(read_text(scratch / name), "old") << name;
+    }
+    EXPECT_EQ(files_in(scratch.folder()), 3);
+  }
+}
+
+TEST(Part, AnObsoleteFileGoesWhenThePartsCome) {
+  const Scratch scratch;
+  write_text(scratch / "old", "old");
+  Part part(scratch / "new");
+  EXPECT_TRUE(fs::exists(scratch / "old"));
+  publish({&part}, scratch / "old");
+  EXPECT_FALSE(fs::exists(scratch / "old"));
+  EXPECT_TRUE(fs::exists(scratch / "new"));
+}
+
+TEST(Part, WhatAKilledProgramLeftIsRemovedByTheNext) {
+  const Scratch scratch;
+  const Part living(scratch / "a");
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    const Part killed(scratch / "b");
+    kill(getpid(), SIGKILL);
+  }
+  ASSERT_EQ(waitpid(child, nullptr, 0), child);
+  EXPECT_EQ(files_in(scratch.folder()), 2);
+  const Part next(scratch / "c");
+  EXPECT_TRUE(fs::exists(living.path()));
+  EXPECT_TRUE(fs::exists(next.path()));
+  EXPECT_EQ(files_in(scratch.folder()), 2);
+}
+
+}  // namespace
+}  // namespace bookspin
