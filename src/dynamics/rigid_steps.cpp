@@ -113,8 +113,7 @@ void dmv_step(RigidState& state, const Eigen::Vector3d& I, double h) {
 
 // 1 / moment_j = s / I_j + d, with s = 1 + h^2 s3 + h^4 s5 + ..., d = h^2 d3 + h^4 d5 + ...; s_k and d_k are
 // polynomials in H = sum L_j^2 / (2 I_j), C = sum L_j^2 / 2 and the elementary symmetric functions of the 1 / I_j.
-// s3 and d3 are as Hairer & Vilmart print them; all were found by equating one step with the Taylor series of the
-// motion, in rational arithmetic.
+// s3 and d3 are as Hairer & Vilmart print them; tools/dmv_moments.py derives all of them.
 Eigen::Vector3d step_moments(Integrator integrator, const Eigen::Vector3d& I_B, const Eigen::Vector3d& L_B, double h) {
   if (integrator != Integrator::dmv6 && integrator != Integrator::dmv10) return I_B;
   const Eigen::Vector3d a = I_B.cwiseInverse();
