@@ -58,7 +58,7 @@ const std::vector<Command> commands{
      check_scenes,
      "Example:\n  bookspin check videos/*.toml"},
     {"trajectory",
-     "Write the motion as CSV: corners, orientation, L, energies, stretch",
+     "Write the motion as CSV: corners, orientation, L, omega, and every quantity",
      {scene_argument, table_output, set_option},
      write_trajectory,
      "Example:\n  bookspin trajectory videos/fig09_matrix.toml --set clip.substeps=300 -o fine.csv"},

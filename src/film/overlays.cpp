@@ -16,7 +16,7 @@ constexpr int trace_frames = 240;      // how long the trace stays, fading
 constexpr double trace_length = 1.25;  // all lengths in those of half the book's diagonal
 constexpr double arrow_length = 1.4;
 constexpr double axis_beyond_cover = 0.42;
-constexpr double full_strain = 0.1;  // a spring longer by this share has the full colour
+constexpr double full_strain = 0.1;  // a spring longer by this share has the full color
 
 void add_axes(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame) {
   const BookFrame& now = track.shown(frame);

@@ -1,4 +1,4 @@
-// A color, and those of films and plots: Okabe and Ito's, told apart by every kind of color vision.
+// A color, and those of the films' overlays: Okabe and Ito's, told apart by every kind of color vision, on two grays.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,10 @@ struct Color {
 };
 
 namespace palette {
-inline constexpr Color black{0, 0, 0, 255};
 inline constexpr Color orange{230, 159, 0, 255};
 inline constexpr Color sky{86, 180, 233, 255};
 inline constexpr Color green{0, 158, 115, 255};
 inline constexpr Color yellow{240, 228, 66, 255};
-inline constexpr Color blue{0, 114, 178, 255};
 inline constexpr Color vermilion{213, 94, 0, 255};
 inline constexpr Color purple{204, 121, 167, 255};
 inline constexpr Color light{236, 239, 244, 255};

@@ -174,10 +174,10 @@ std::optional<FilmRecord> read_film_record(const fs::path& file) {
   film.books = root["books"].list([&film](const Value& book) { return read_book(book, film.frames); });
   if (film.books.empty()) root["books"].refuse("at least one");
   for (const FilmRecord::Book& book : film.books) {
-    for (const auto& [name, values] : book.data) {
-      const auto is_named = [&name](const FilmRecord::Quantity& q) { return q.name == name; };
+    for (const auto& entry : book.data) {
+      const auto is_named = [&entry](const FilmRecord::Quantity& q) { return q.name == entry.first; };
       if (std::none_of(film.quantities.begin(), film.quantities.end(), is_named)) {
-        root["quantities"].fail(fmt::format("none has the name {}, of which there are data", name));
+        root["quantities"].fail(fmt::format("none has the name {}, of which there are data", entry.first));
       }
     }
   }

@@ -1,6 +1,6 @@
 // What a simulation leaves behind: the corners of every book at every frame, and what was measured there.
 //
-// A book has exploded from the first frame on at which a corner is farther from its centre than largest_extent times
+// A book has exploded from the first frame on at which a corner is farther from its center than largest_extent times
 // half its diagonal at rest, or is not finite. That is data, not an error: a film holds on the frame before. Once a
 // number is not finite, or what is measured overflows, the corners and all measures of the book are NaN; counts stay.
 //

@@ -6,19 +6,14 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <vector>
 
 namespace bookspin {
 namespace {
 
 constexpr std::array before_omega{Q::kinetic_energy, Q::elastic_energy, Q::stretch, Q::angle_error};
 
-std::vector<Q> after_omega() {
-  std::vector<Q> others;
-  for (const Quantity& q : quantities) {
-    if (std::find(before_omega.begin(), before_omega.end(), q.id) == before_omega.end()) others.push_back(q.id);
-  }
-  return others;
+bool after_omega(const Quantity& q) {
+  return std::find(before_omega.begin(), before_omega.end(), q.id) == before_omega.end();
 }
 
 }  // namespace
@@ -29,13 +24,14 @@ std::string trajectory_csv_header() {
   header += ",qw,qx,qy,qz,Lx,Ly,Lz";
   for (const Q q : before_omega) header.append(",").append(quantity(q).name);
   header += ",omega_x,omega_y,omega_z";
-  for (const Q q : after_omega()) header.append(",").append(quantity(q).name);
+  for (const Quantity& q : quantities) {
+    if (after_omega(q)) header.append(",").append(q.name);
+  }
   return header;
 }
 
 std::string trajectory_csv_rows(const Scene& scene, const Trajectory& trajectory, int frame) {
   std::string rows;
-  const std::vector<Q> others = after_omega();
   const auto append = [&rows](double value) {
     if (std::isnan(value)) {
       rows += ",nan";  // whatever its sign bit
@@ -53,7 +49,9 @@ std::string trajectory_csv_rows(const Scene& scene, const Trajectory& trajectory
     for (const double value : f.L_W) append(value);
     for (const Q q : before_omega) append(f[q]);
     for (const double value : f.omega_W) append(value);
-    for (const Q q : others) append(f[q]);
+    for (const Quantity& q : quantities) {
+      if (after_omega(q)) append(f[q.id]);
+    }
     rows += '\n';
   }
   return rows;

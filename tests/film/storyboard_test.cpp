@@ -74,12 +74,12 @@ TEST(Storyboard, BooksStandWhereTheScriptPutsThemWithTheirNames) {
   const Shot shot = Storyboard(scene, trajectory, 16.0 / 9.0).shot(100);
   ASSERT_EQ(shot.books.size(), 3U);
   for (std::size_t b = 0; b < 3; ++b) {
-    const Eigen::Vector3d centre = shot.books[b].corners_W.rowwise().mean();
-    EXPECT_LT((centre - scene.books[b].position_W).norm(), 1e-12);  // measured 0
+    const Eigen::Vector3d center = shot.books[b].corners_W.rowwise().mean();
+    EXPECT_LT((center - scene.books[b].position_W).norm(), 1e-12);  // measured 0
     const Label* name = find_label(shot, scene.books[b].name);
     ASSERT_NE(name, nullptr);
     const PixelPoint below = View(shot.camera, width, height).project(*name->anchor_W);
-    const PixelPoint book = View(shot.camera, width, height).project(centre);
+    const PixelPoint book = View(shot.camera, width, height).project(center);
     EXPECT_NEAR(below.x, book.x, 1e-9);  // measured 0
     EXPECT_GT(below.y, book.y);
   }
