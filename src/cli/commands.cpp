@@ -251,8 +251,8 @@ int report(const Options& options) {
   const auto seconds = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  make_report({folder, find_assets(options.assets), options.quick}, [&](std::string_view what, double done) {
-    if (terminal) tell(fmt::format("\r\x1b[K{:3.0f} %  {:4.0f} s  {}", 100.0 * done, seconds(), what));
+  make_report({folder, find_assets(options.assets), options.quick}, [&](std::string_view what) {
+    if (terminal) tell(fmt::format("\r\x1b[K{:4.0f} s  {}", seconds(), what));
   });
   if (terminal) tell("\r\x1b[K");
   print(fmt::format("{} in {:.0f} s\n", (folder / "index.html").string(), seconds()));

@@ -90,12 +90,12 @@ Part::~Part() {
   close(descriptor_);
 }
 
-void publish(std::initializer_list<Part*> parts, const fs::path& obsolete) {
+void publish(const std::vector<Part*>& parts, const fs::path& obsolete) {
   for (const Part* part : parts) {
     if (fsync(part->descriptor_) != 0) fail(part->file_, "cannot be flushed to the disk");
   }
   // Two programs that publish the same names must not mix them. Best effort: not every file system locks a folder.
-  const Descriptor folder{open(folder_of((*parts.begin())->file_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
+  const Descriptor folder{open(folder_of(parts.front()->file_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
   flock(folder.number, LOCK_EX);
   for (const Part* part : parts) require_replaceable(part->file_);
   for (Part* part : parts) {

@@ -9,7 +9,7 @@
 #pragma once
 
 #include <filesystem>
-#include <initializer_list>
+#include <vector>
 
 namespace bookspin {
 
@@ -24,7 +24,7 @@ class Part {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }  // where to write it
 
  private:
-  friend void publish(std::initializer_list<Part*> parts, const std::filesystem::path& obsolete);
+  friend void publish(const std::vector<Part*>& parts, const std::filesystem::path& obsolete);
 
   std::filesystem::path file_;
   std::filesystem::path path_;  // empty: published
@@ -32,6 +32,6 @@ class Part {
 };
 
 // `obsolete`, if any, is a file of that folder that goes when the parts come.
-void publish(std::initializer_list<Part*> parts, const std::filesystem::path& obsolete = {});
+void publish(const std::vector<Part*>& parts, const std::filesystem::path& obsolete = {});
 
 }  // namespace bookspin

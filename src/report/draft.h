@@ -1,38 +1,57 @@
-// The report in the making: what its parts share while they run. For the .cpp files of this room.
+// The report in the making: what its sections share while they run. For the .cpp files of this room.
 #pragma once
 
+#include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "report/cost.h"
 #include "report/measure.h"
-#include "report/page.h"
+#include "report/plots.h"
 #include "report/report.h"
-#include "report/table.h"
 
 namespace bookspin {
 
-struct Draft {
-  ReportOrder order;
-  Tell tell;  // `done` is the part of a full run that lies behind
-  Effort effort;
-  std::vector<Run> runs;  // of all work-precision ladders
-  Table model_error;      // spring_model_error
-  FrameCost cost;
-  std::vector<Table> tables;  // for report.json
-  PageValues values;          // for the page
-
-  // Keeps a table under this name: as CSV now, in the JSON, and (on_page) as a value of the page.
-  void keep(const std::string& name, Table table, bool on_page = true);
+// Springs against the rigid body: what the step's size adds, and what the springs themselves do. In half diagonals of
+// the book, the largest over the samples; infinite: exploded.
+struct ModelError {
+  double stiffness;
+  bool damped;
+  bool normalized;
+  Integrator integrator;
+  double integration;  // from the springs' own motion
+  double model;        // of the springs' own motion from the rigid one
+  double all;          // of the run from the rigid motion
 };
 
-[[nodiscard]] double number(const Cell& cell);  // NaN for a text
+struct Draft {
+  const ReportOrder& order;
+  Effort effort;
+  Tell say;
+  Runs runs{};  // of all work-precision ladders
+  std::vector<ModelError> model_errors{};
+  FrameCost cost{};
+  nlohmann::ordered_json tables{};             // for report.json
+  nlohmann::json page{};                       // what page.html shows
+  std::map<std::string, std::string> files{};  // name -> text: all of the report but the page, until it is published
 
-// The parts, in this order.
-void write_precision(Draft& draft);
-void write_stability(Draft& draft);
-void write_instability(Draft& draft);
-void write_cost(Draft& draft);
-void write_claims(Draft& draft);
+  // Keeps a table under this name: as CSV, in the JSON, and in the page's `tables`.
+  void keep(const std::string& name, const Table& table);
+  void plot(const std::string& name, const Plot& plot);  // as NAME.svg
+};
+
+// Each section computes, keeps its tables and plots, and says its numbers to the page; in this order.
+void work_precision(Draft& draft);
+void spring_precision(Draft& draft);
+void stability(Draft& draft);
+void explosion(Draft& draft);
+void instability(Draft& draft);
+void frame_costs(Draft& draft);
+void claims(Draft& draft);
+
+// The plot of error over cost of these problems' runs; of several problems the first one's solvers stand in the key.
+[[nodiscard]] Plot work_precision_plot(const Runs& runs, const std::vector<Problem>& problems,
+                                       const std::string& y_label, const std::string& lowest);
 
 }  // namespace bookspin

@@ -1,8 +1,13 @@
+#include <fmt/format.h>
+
 #include <cmath>
+#include <future>
 
 #include "dynamics/shape.h"
-#include "dynamics/spring_book.h"
+#include "report/draft.h"
 #include "report/stability.h"
+#include "scene/scene_file.h"
+#include "scene/simulate.h"
 
 namespace bookspin {
 namespace {
@@ -84,32 +89,119 @@ long steps_to_explosion(const BookOptions& options, double h, long most) {
   return -1;
 }
 
-}  // namespace
+struct Explosion {
+  int substeps;
+  bool damped;
+  double predicted;
+  double measured = std::nan("");  // NaN: not tried
+};
 
 // Frames of 0.1, books that spin at 0.6 about z (Figure 7) and 0.7 about x (Figure 8).
-Table time_to_explosion(const Effort& effort) {
-  Table table{
-      "time_to_explosion",
-      {"substeps a frame", "springs", "predicted time", "measured time", "measured / predicted", "measured frames"},
-      {}};
-  const double most_steps = effort.quick ? 2e5 : 2e7;
-  for (const int substeps :
-       effort.quick ? std::vector<int>{4, 16} : std::vector<int>{3, 6, 12, 25, 50, 100, 200, 400, 1000}) {
-    const double h = 0.1 / substeps;
+constexpr double frame = 0.1;
+
+std::vector<Explosion> explosions(bool quick) {
+  std::vector<Explosion> rows;
+  std::vector<std::future<long>> runs;  // at once, on all cores: nothing is timed here
+  for (const int substeps : quick ? std::vector<int>{4, 16} : std::vector<int>{3, 6, 12, 25, 50, 100, 200, 400, 1000}) {
+    const double h = frame / substeps;
     for (const bool damped : {true, false}) {
-      BookOptions options = unnormalized_springs(10.0, damped ? 1.0 : 0.0, Integrator::explicit_euler);
+      BookOptions options;
+      options.normalize_every = 0;
+      options.damping = damped ? 1.0 : 0.0;
       options.omega_W = damped ? Eigen::Vector3d(0.0, 0.0, 0.6) : Eigen::Vector3d(0.7, 0.0, 0.0);
-      const double predicted =
-          damped ? predicted_damped_explosion(options, h) : predicted_undamped_explosion(options, h);
-      const double needed = 1.5 * predicted / h;
-      const long steps =
-          needed > most_steps ? -1 : steps_to_explosion(options, h, 4 * static_cast<long>(needed) + 1000);
-      const double t = steps < 0 ? std::nan("") : static_cast<double>(steps) * h;
-      table.rows.push_back(
-          {static_cast<double>(substeps), damped ? "damped" : "undamped", predicted, t, t / predicted, t / 0.1});
+      rows.push_back({substeps, damped,
+                      damped ? predicted_damped_explosion(options, h) : predicted_undamped_explosion(options, h)});
+      const long most = 1000 + static_cast<long>(6.0 * rows.back().predicted / h);
+      const bool tried = !quick || most < 1'000'000;
+      runs.push_back(std::async(std::launch::async, [=] { return tried ? steps_to_explosion(options, h, most) : -1; }));
     }
   }
-  return table;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const long steps = runs[i].get();
+    if (steps > 0) rows[i].measured = static_cast<double>(steps) * frame / rows[i].substeps;
+  }
+  return rows;
+}
+
+// How a time grew from the smallest number of substeps to the largest.
+nlohmann::json growth(const std::vector<Explosion>& rows, bool damped) {
+  const Explosion* first = nullptr;
+  const Explosion* last = nullptr;
+  double most = 0.0;  // measured over predicted
+  for (const Explosion& row : rows) {
+    if (row.damped != damped || !std::isfinite(row.measured)) continue;
+    if (first == nullptr) first = &row;
+    last = &row;
+    most = std::max(most, row.measured / row.predicted);
+  }
+  if (last == nullptr || last == first) return {};
+  const double substeps = static_cast<double>(last->substeps) / first->substeps;
+  const double times = last->measured / first->measured;
+  return {{"from", first->substeps},
+          {"to", last->substeps},
+          {"substeps", substeps},
+          {"times", times},
+          {"power", fmt::format("{:.2f}", std::log(times) / std::log(substeps))},
+          {"most", fmt::format("{:.2f}", most)},
+          {"last", last->measured},
+          {"last_predicted", last->predicted}};
+}
+
+void what_normalization_hides(Draft& draft) {
+  const Scene scene = load_scene(draft.order.project / "videos" / "normalization_hides.toml");
+  const Trajectory trajectory = simulate(scene);
+  Table table{{"time", "energy ratio", "angular momentum ratio", "stretch"}, {}};
+  Series energy{"energy", {}, {color::blue}, Mark::line};
+  Series momentum{"angular momentum", {}, {color::vermillion}, Mark::line};
+  double t = 0.0;
+  int n = 0;
+  for (const BookFrame& f : trajectory.books.front().frames) {
+    t = n++ * scene.clip.time_per_frame;
+    table.rows.push_back({t, f[Q::energy_ratio], f[Q::angular_momentum_ratio], f[Q::stretch]});
+    energy.points.emplace_back(t, f[Q::energy_ratio]);
+    momentum.points.emplace_back(t, f[Q::angular_momentum_ratio]);
+  }
+  draft.page["hides"] = {
+      {"time", t}, {"energy", energy.points.back().second}, {"momentum", momentum.points.back().second}};
+  Plot plot{"time", "relative to the start", false, false};
+  plot.y_range = "[0:1.2]";
+  plot.series = {std::move(energy), std::move(momentum)};
+  draft.plot("what_normalization_hides", plot);
+  draft.keep("what_normalization_hides", table);
+}
+
+}  // namespace
+
+void explosion(Draft& draft) {
+  const std::vector<Explosion> rows = explosions(draft.effort.quick);
+  Table table{
+      {"substeps a frame", "springs", "predicted time", "measured time", "measured / predicted", "measured frames"},
+      {}};
+  Plot plot{"substeps a frame of 0.1", "time to explosion"};
+  plot.more = {"set key inside left top"};
+  for (const bool damped : {true, false}) {
+    const Pen pen{damped ? color::blue : color::vermillion};
+    Series predicted{damped ? "damped: predicted" : "undamped: predicted", {}, pen, Mark::line};
+    Series measured{"measured", {}, pen, Mark::points};
+    for (const Explosion& row : rows) {
+      if (row.damped != damped) continue;
+      const double substeps = row.substeps;
+      table.rows.push_back({substeps, damped ? "damped" : "undamped", row.predicted, row.measured,
+                            row.measured / row.predicted, row.measured / frame});
+      predicted.points.emplace_back(substeps, row.predicted);
+      measured.points.emplace_back(substeps, row.measured);
+    }
+    plot.series.push_back(std::move(predicted));
+    plot.series.push_back(std::move(measured));
+  }
+  draft.plot("time_to_explosion", plot);
+  draft.keep("time_to_explosion", table);
+  const Eigen::VectorXd mu = spring_modes(BookOptions().size).mu;
+  const double mean = mu.sum() / static_cast<double>((mu.array() > 1e-9).count());
+  draft.page["explosion"] = {{"damped", growth(rows, true)},
+                             {"undamped", growth(rows, false)},
+                             {"mean_rate", fmt::format("{:.2f}", mean / mu.maxCoeff())}};
+  what_normalization_hides(draft);
 }
 
 }  // namespace bookspin

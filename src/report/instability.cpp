@@ -1,110 +1,90 @@
-#include "report/instability.h"
-
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "dynamics/rigid_book.h"
 #include "dynamics/rigid_motion.h"
 #include "dynamics/shape.h"
-#include "dynamics/spring_book.h"
+#include "report/draft.h"
 
 namespace bookspin {
 namespace {
 
 constexpr double spin = 0.11482;
-constexpr double h = 0.1 / 6.0;
+constexpr double h = 0.1 / 6.0;  // of the paper's program
 constexpr int steps_a_sample = 6;
+constexpr double never = std::numeric_limits<double>::infinity();
 
-enum class Kind { exact, matrix, quaternion, stepped, springs };
+// All rigid solvers, the paper's springs, and undamped springs by everything better.
+std::vector<Solver> contenders() {
+  std::vector<Solver> all = rigid_solvers();
+  all.push_back(papers_springs);
+  for (const Solver& solver : spring_solvers()) {
+    if (solver.integrator != Integrator::explicit_euler) all.push_back(solver);
+  }
+  return all;
+}
 
-struct Contender {
-  const char* name;
-  Kind kind;
-  Integrator integrator;
-  double damping;
-  bool normalize;
-};
-
-constexpr Contender contenders[] = {
-    {"exact", Kind::exact, Integrator::explicit_euler, 0.0, true},
-    {"Euler, matrix", Kind::matrix, Integrator::explicit_euler, 0.0, true},
-    {"Euler, quaternion", Kind::quaternion, Integrator::explicit_euler, 0.0, true},
-    {"rk4", Kind::stepped, Integrator::rk4, 0.0, true},
-    {"splitting2", Kind::stepped, Integrator::splitting2, 0.0, true},
-    {"splitting4", Kind::stepped, Integrator::splitting4, 0.0, true},
-    {"dmv2", Kind::stepped, Integrator::dmv2, 0.0, true},
-    {"dmv6", Kind::stepped, Integrator::dmv6, 0.0, true},
-    {"dmv10", Kind::stepped, Integrator::dmv10, 0.0, true},
-    {"springs, Euler (the paper)", Kind::springs, Integrator::explicit_euler, 1.0, true},
-    {"springs, semi-implicit Euler", Kind::springs, Integrator::semi_implicit_euler, 0.0, false},
-    {"springs, Verlet", Kind::springs, Integrator::velocity_verlet, 0.0, false},
-    {"springs, rk4", Kind::springs, Integrator::rk4, 1.0, false},
-    {"springs, composition8", Kind::springs, Integrator::composition8, 0.0, false},
-};
+std::string title_of(const Solver& solver) {
+  return (solver.method == Method::springs && !solver.as_in_the_paper ? "springs, " : "") + name_of(solver);
+}
 
 // The kick lies along the growing direction's plane: both small components of omega, in the proportion of case a.
-BookOptions options_for(const Contender& contender, double kick) {
-  BookOptions options;
+BookOptions kicked(const Solver& solver, double kick) {
+  BookOptions options = options_for(solver, BookOptions());
   const Eigen::Vector3d I_B = body_of(options).I_B;
   options.omega_W = spin * I_B.x() * Eigen::Vector3d(1.0, kick, 0.5 * kick).cwiseQuotient(I_B);
-  options.integrator = contender.integrator;
-  options.damping = contender.damping;
-  options.normalize_every = contender.normalize ? 1 : 0;
   return options;
 }
 
-// Calls look(t, l_B) each 0.1 with the direction of the angular momentum in the body frame, until it says false or the
-// time is over.
-template <class Look>
-void follow(const Contender& contender, const BookOptions& options, double T, Look&& look) {
-  const auto samples = static_cast<long>(std::ceil(T / (steps_a_sample * h)));
-  const auto walk = [&](auto&& book, auto&& direction) {
-    for (long n = 0; n <= samples; ++n) {
-      if (!look(static_cast<double>(n) * steps_a_sample * h, direction(book))) return;
-      for (int i = 0; i < steps_a_sample; ++i) book.step(h);
-    }
-  };
-  const Corners rest = body_of(options).corners_B;
-  switch (contender.kind) {
-    case Kind::exact: {
-      const TorqueFree motion = exact_motion(options);
-      for (long n = 0; n <= samples; ++n) {
-        const double t = static_cast<double>(n) * steps_a_sample * h;
-        if (!look(t, motion.at(t).L_B.normalized().eval())) return;
-      }
-      return;
-    }
-    case Kind::matrix:
-      return walk(MatrixBook(options), [](const MatrixBook& book) -> Eigen::Vector3d {
-        return (book.R_WB().transpose() * book.angular_momentum_W()).normalized();
-      });
-    case Kind::quaternion:
-      return walk(QuaternionBook(options), [](const QuaternionBook& book) -> Eigen::Vector3d {
-        return (book.q_WB().conjugate() * book.angular_momentum_W()).normalized();
-      });
-    case Kind::stepped:
-      return walk(FreeBook(options), [](const FreeBook& book) -> Eigen::Vector3d { return book.L_B().normalized(); });
-    case Kind::springs:
-      return walk(SpringBook(options), [&rest](const SpringBook& book) -> Eigen::Vector3d {
-        return (best_fit_orientation(book.corners_W(), rest).conjugate() * book.angular_momentum_W()).normalized();
-      });
+// The angular momentum in the body frame; the free book knows it with the digits of a small kick.
+template <class Book>
+Eigen::Vector3d L_B(const Book& book, const Corners& corners_B) {
+  if constexpr (requires { book.L_B(); }) {
+    return book.L_B();
+  } else if constexpr (requires { book.R_WB(); }) {
+    return book.R_WB().transpose() * book.angular_momentum_W();
+  } else if constexpr (requires { book.q_WB(); }) {
+    return book.q_WB().conjugate() * book.angular_momentum_W();
+  } else {
+    return best_fit_orientation(book.corners_W(), corners_B).conjugate() * book.angular_momentum_W();
   }
 }
 
-double tilt_of(const Eigen::Vector3d& l_B) {
-  return std::atan2(l_B.tail<2>().norm(), l_B.x());
+// Calls look(t, L_B) each 0.1 until it says false or the time is over.
+template <class Look>
+void follow(const Solver& solver, const BookOptions& options, double T, Look&& look) {
+  const Corners corners_B = body_of(options).corners_B;
+  const auto samples = static_cast<long>(std::ceil(T / (steps_a_sample * h)));
+  AnyBook any = make_book(solver.method, options);
+  std::visit(
+      [&](auto& book) {
+        for (long n = 0; n <= samples; ++n) {
+          const double t = static_cast<double>(n) * steps_a_sample * h;
+          if constexpr (requires { book.move_to(t); }) book.move_to(t);
+          if (!look(t, L_B(book, corners_B))) return;
+          if constexpr (requires { book.step(h); }) {
+            for (int i = 0; i < steps_a_sample; ++i) book.step(h);
+          }
+        }
+      },
+      any);
 }
 
-// Slope of ln(tilt) over t while the tilt is between `low` and `high`.
-double growth_rate(const Contender& contender, double kick, double low, double high) {
+constexpr double highest_tilt = 1e-2;  // to which a tilt's growth is exponential
+constexpr double lowest_tilt(double kick) {
+  return 30.0 * kick;
+}
+
+// Slope of ln(tilt) over t.
+double growth_rate(const Solver& solver, double kick) {
   double n = 0.0, st = 0.0, sy = 0.0, stt = 0.0, sty = 0.0;
-  follow(contender, options_for(contender, kick), 1000.0, [&](double t, const Eigen::Vector3d& l_B) {
-    const double tilt = tilt_of(l_B);
-    if (tilt > high || !(tilt >= 0.0)) return false;
-    if (tilt > low) {
+  follow(solver, kicked(solver, kick), 1000.0, [&](double t, const Eigen::Vector3d& L) {
+    const double tilt = std::atan2(L.tail<2>().norm(), L.x());
+    if (tilt > highest_tilt || !(tilt >= 0.0)) return false;
+    if (tilt > lowest_tilt(kick)) {
       const double y = std::log(tilt);
       n += 1.0;
       st += t;
@@ -117,52 +97,134 @@ double growth_rate(const Contender& contender, double kick, double low, double h
   return (n * sty - st * sy) / (n * stt - st * st);
 }
 
-double flip_time(const Contender& contender, double kick, double most) {
-  double flip = std::numeric_limits<double>::infinity();
-  follow(contender, options_for(contender, kick), most, [&](double t, const Eigen::Vector3d& l_B) {
-    if (!l_B.allFinite()) return false;
-    if (tilt_of(l_B) < 0.5 * std::numbers::pi) return true;
-    flip = t;
-    return false;
+// When the tilt passes 90 degrees: the zero of L's component along the spin axis, on the chord between two samples.
+double flip_time(const Solver& solver, const BookOptions& options, double most) {
+  double flip = never;
+  double t_before = 0.0;
+  double before = 0.0;
+  follow(solver, options, most, [&](double t, const Eigen::Vector3d& L) {
+    if (!L.allFinite()) return false;
+    if (L.x() <= 0.0) {
+      flip = t_before + (t - t_before) * before / (before - L.x());
+      return false;
+    }
+    t_before = t;
+    before = L.x();
+    return true;
   });
   return flip;
 }
 
-}  // namespace
-
-double theoretical_growth_rate() {
-  const Eigen::Vector3d I_B = body_of(BookOptions()).I_B;
-  return intermediate_axis_growth_rate(I_B, spin * I_B.x());
+double theory(double kick) {
+  return exact_motion(kicked(exact_solver, kick)).first_flip();
 }
 
-Table growth_rates(const Effort& effort) {
-  Table table{"growth_rates", {"method", "step", "growth rate", "sigma", "growth rate / sigma - 1"}, {}};
-  const double sigma = theoretical_growth_rate();
-  const double kick = effort.quick ? 1e-4 : 1e-6;
-  for (const Contender& contender : contenders) {
-    const double rate = growth_rate(contender, kick, 30.0 * kick, 1e-2);
-    table.rows.push_back({contender.name, contender.kind == Kind::exact ? 0.0 : h, rate, sigma, rate / sigma - 1.0});
-  }
-  return table;
-}
-
-Table flip_times(const Effort& effort) {
-  Table table{"flip_times", {"kick", "theory"}, {}};
-  for (const Contender& contender : contenders) table.columns.emplace_back(contender.name);
-  std::vector<double> kicks;
-  for (int n = 2; n <= 15; n += effort.quick ? 5 : 1) kicks.push_back(std::pow(10.0, -n));
-  kicks.push_back(0.0);
-  const double most = effort.quick ? 400.0 : 3000.0;
-  for (const double kick : kicks) {
-    std::vector<Cell> row{kick, exact_motion(options_for(contenders[0], kick)).first_flip()};
-    for (const Contender& contender : contenders) {
-      // Without a kick, or with one lost in rounding, a book may never flip: the springs are too dear to wait as long.
-      const double t = flip_time(contender, kick, contender.kind == Kind::springs ? std::min(most, 1000.0) : most);
-      row.push_back(std::isfinite(t) ? Cell(t) : Cell("never"));
+void growth_rates(Draft& draft, double sigma) {
+  const double kick = draft.effort.quick ? 1e-4 : 1e-6;
+  Table table{{"method", "growth rate", "growth rate / sigma - 1"}, {}};
+  double exact = 0.0;
+  double euler = 0.0;                        // farthest from the exact row: rigid explicit Euler,
+  double higher = 0.0;                       // the other rigid methods
+  double slowest = never, fastest = -never;  // springs
+  for (const Solver& solver : contenders()) {
+    const double rate = growth_rate(solver, kick);
+    const double off = rate / sigma - 1.0;
+    table.rows.push_back({title_of(solver), rate, off});
+    if (solver == exact_solver) {
+      exact = off;
+    } else if (solver.method == Method::springs) {
+      slowest = std::min(slowest, off - exact);
+      fastest = std::max(fastest, off - exact);
+    } else {
+      double& most = solver.integrator == Integrator::explicit_euler ? euler : higher;
+      most = std::max(most, std::abs(off - exact));
     }
+  }
+  draft.keep("growth_rates", table);
+  draft.page["growth"] = {{"from", lowest_tilt(kick)}, {"to", highest_tilt}, {"exact", exact},    {"euler", euler},
+                          {"higher", higher},          {"slowest", slowest}, {"fastest", fastest}};
+}
+
+void flip_times(Draft& draft) {
+  const std::vector<Solver> all = contenders();
+  const double most = draft.effort.quick ? 400.0 : 3000.0;
+  const double most_springs = std::min(most, 1000.0);  // which are too dear to wait as long
+  std::vector<double> kicks;
+  for (int n = 2; n <= 15; n += draft.effort.quick ? 5 : 1) kicks.push_back(std::pow(10.0, -n));
+  kicks.push_back(0.0);
+  Table table{{"kick", "theory"}, {}};
+  for (const Solver& solver : all) table.columns.push_back(title_of(solver));
+  Table summary{{"kick", "theory", "rigid methods", "springs", "but never"}, {}};
+  Plot plot{"kick, relative to the spin", "time of the first flip, distance from theory"};
+  plot.y_range = "[1e-6:1e3]";
+  for (const Solver& solver : all) plot.series.push_back({title_of(solver), {}, pen_of(solver)});
+  double springs_from = never, springs_to = 0.0;  // without a kick
+  int rigid_flips = 0;
+  std::optional<double> forgotten;  // the largest kick that the matrix does not flip from
+  for (const double kick : kicks) {
+    const double expected = theory(kick);
+    std::vector<Cell> row{kick, expected};
+    std::array<double, 2> least{never, never};
+    std::array<double, 2> largest{0.0, 0.0};
+    std::array<std::vector<std::string>, 2> none;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const bool springs = all[i].method == Method::springs;
+      const double t = flip_time(all[i], kicked(all[i], kick), springs ? most_springs : most);
+      row.push_back(std::isfinite(t) ? Cell(t) : Cell("never"));
+      if (!std::isfinite(t)) {
+        none[springs].push_back(title_of(all[i]));
+        if (all[i].method == Method::matrix && expected < most && !forgotten) forgotten = kick;
+        continue;
+      }
+      least[springs] = std::min(least[springs], t);
+      largest[springs] = std::max(largest[springs], t);
+      plot.series[i].points.emplace_back(kick, std::max(1e-6, std::abs(t - expected)));
+      if (kick > 0.0) continue;
+      if (!springs) ++rigid_flips;
+      if (springs) springs_from = std::min(springs_from, t);
+      if (springs) springs_to = std::max(springs_to, t);
+    }
+    const auto range = [&](bool springs) -> std::string {
+      return std::isfinite(least[springs]) ? fmt::format("{:.2f} to {:.2f}", least[springs], largest[springs])
+                                           : "never";
+    };
+    std::vector<std::string> exceptions;
+    for (const bool springs : {false, true}) {
+      if (std::isfinite(least[springs]))
+        exceptions.insert(exceptions.end(), none[springs].begin(), none[springs].end());
+    }
+    summary.rows.push_back({kick, std::isfinite(expected) ? fmt::format("{:.2f}", expected) : "never", range(false),
+                            range(true), fmt::format("{}", fmt::join(exceptions, "; "))});
     table.rows.push_back(std::move(row));
   }
-  return table;
+  draft.plot("flip_times", plot);
+  draft.keep("flip_times", table);
+  draft.keep("flip_times_summary", summary);
+  nlohmann::json page{{"from", kicks.front()},        {"to", kicks[kicks.size() - 2]}, {"most", most},
+                      {"most_springs", most_springs}, {"rigid_flips", rigid_flips},    {"none_flips", rigid_flips == 0},
+                      {"rounding", theory(1e-16)}};
+  if (springs_to > 0.0) page["springs"] = {{"from", springs_from}, {"to", springs_to}};
+  if (forgotten) {
+    BookOptions options = kicked({Method::matrix}, *forgotten);
+    options.normalize_every = 0;
+    const double t = flip_time({Method::matrix}, options, most);
+    page["forgotten"] = {{"kick", *forgotten}, {"flips", std::isfinite(t)}, {"time", t}};
+  }
+  draft.page["flips"] = std::move(page);
+}
+
+}  // namespace
+
+void instability(Draft& draft) {
+  const Eigen::Vector3d I_B = body_of(BookOptions()).I_B;
+  const double sigma = intermediate_axis_growth_rate(I_B, spin * I_B.x());
+  draft.page["sigma"] = {{"value", fmt::format("{:.5f}", sigma)},
+                         {"spin", fmt::format("{}", spin)},
+                         {"e_fold", 1.0 / sigma},
+                         {"decade", std::numbers::ln10 / sigma}};
+  growth_rates(draft, sigma);
+  draft.say("flip times");
+  flip_times(draft);
 }
 
 }  // namespace bookspin

@@ -9,35 +9,29 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <functional>
-#include <string>
-#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
-namespace bookspin {
+#include "report/runs.h"
+#include "scene/any_book.h"
 
-// Says what is being done, and what part of the whole is done.
-using Tell = std::function<void(std::string_view what, double done)>;
+namespace bookspin {
 
 // How much a report may spend.
 struct Effort {
   long most_evaluations = 3'000'000;  // of a ladder, all runs together
-  int repeats = 3;                    // of a run for its time; short ones are repeated more often
+  int repeats = 3;                    // of a run for its time, at least,
+  long timed = 50'000;                // and so many more that a short one is timed over as many evaluations
   double ladder = 1.0;                // 1: two rungs an octave; 2: every second one, and so on
   bool quick = false;                 // the other parts: fewer and shorter
 };
 
-enum class Outcome { finished, diverged, stalled };
-
-struct Run {
-  std::string problem;
-  std::string method;
-  double setting = 0.0;  // the step h, or the tolerance of an adaptive method; 0: none
-  double error = 0.0;    // largest over the samples; NaN unless finished
-  double ns_per_time =
-      0.0;               // CPU nanoseconds for one unit of simulated time, of what was done before it ended badly too
-  long evaluations = 0;  // of the right-hand side
-  Outcome outcome = Outcome::finished;
+struct Course {
+  int samples;
+  double T;  // the last sample's time
+  [[nodiscard]] double interval() const { return T / samples; }
 };
 
 inline double cpu_ns() {  // of the process so far
@@ -59,40 +53,68 @@ double least_ns(int passes, Work&& work) {
 }
 
 // start() -> runner; runner.to(i) -> bool, carries it to sample i (0 ... samples - 1), false when it stalls;
-// runner.evaluations(); look(runner, i) -> bool, takes the errors into `run`, false when a number is not finite.
-template <class Start, class Look>
-void measure(Run& run, int samples, double T, const Effort& effort, Start&& start, Look&& look) {
+// runner.state(); runner.evaluations(); error(state, i), of which the largest counts: one that is not below 1000 is that
+// of a run that diverged.
+template <class Start, class Error>
+[[nodiscard]] Run measure(Run run, const Course& course, const Effort& effort, Start&& start, Error&& error) {
   const double begin = cpu_ns();
   auto runner = start();
-  for (int i = 0; i < samples && run.outcome == Outcome::finished; ++i) {
+  for (int i = 0; i < course.samples && run.outcome == Outcome::finished; ++i) {
     if (!runner.to(i)) {
       run.outcome = Outcome::stalled;
-    } else if (!look(runner, i)) {
+    } else if (const double e = error(runner.state(), i); e < 1e3) {
+      run.error = std::max(run.error, e);
+    } else {
       run.outcome = Outcome::diverged;
     }
-    if (run.outcome != Outcome::finished) run.ns_per_time = (cpu_ns() - begin) / (T * (i + 1) / samples);
+    if (run.outcome != Outcome::finished) run.ns_per_time = (cpu_ns() - begin) / ((i + 1) * course.interval());
   }
   run.evaluations = runner.evaluations();
   if (run.outcome != Outcome::finished) {
     run.error = std::nan("");
-    return;
+    return run;
   }
-  // A short run is timed several times in one go, so that reading the clock does not count, and more often.
-  const long together = std::max(1L, 2000 / std::max(run.evaluations, 50L));
-  const int repeats = std::max(effort.repeats, static_cast<int>(std::min(20L, 50'000 / std::max(run.evaluations, 1L))));
+  // A short run is timed several times in one go, so that reading the clock does not count.
+  const long evaluations = std::max(run.evaluations, 1L);
+  const long together = std::max(1L, std::min(effort.timed, 2000L) / evaluations);
+  const int repeats = std::max(effort.repeats, static_cast<int>(std::min(20L, effort.timed / evaluations)));
   run.ns_per_time = least_ns(repeats,
                              [&] {
                                for (long n = 0; n < together; ++n) {
                                  auto timed = start();
-                                 for (int i = 0; i < samples; ++i) (void)timed.to(i);
+                                 for (int i = 0; i < course.samples; ++i) (void)timed.to(i);
+                                 asm volatile("" : : "g"(&timed.state()) : "memory");  // else it is left out as unused
                                }
                              }) /
-                    (T * static_cast<double>(together));
+                    (course.T * static_cast<double>(together));
+  return run;
 }
+
+// A book carried from sample to sample by equal steps.
+template <class Book>
+class Stepped {
+ public:
+  Stepped(Book book, Integrator integrator, double interval, long steps)
+      : book_(std::move(book)), integrator_(integrator), h_(interval / static_cast<double>(steps)), steps_(steps) {}
+  bool to(int /*sample*/) {
+    for (long i = 0; i < steps_; ++i) book_.step(h_);
+    taken_ += steps_;
+    return true;
+  }
+  [[nodiscard]] const Book& state() const { return book_; }
+  [[nodiscard]] long evaluations() const { return taken_ * evaluations_a_step(integrator_); }
+
+ private:
+  Book book_;
+  Integrator integrator_;
+  double h_;
+  long steps_;
+  long taken_ = 0;
+};
 
 // Runs at ever finer settings: until the next run would pass the limit of work, or until rounding has long taken over.
 template <class Settings, class RunAt>
-void climb(const Effort& effort, const Settings& settings, std::vector<Run>& runs, RunAt&& run_at) {
+void climb(const Effort& effort, const Settings& settings, Runs& runs, RunAt&& run_at) {
   double best = 1e300;
   int worse = 0;
   int stalled = 0;  // in a row: the loosest tolerances of an adaptive method may do so
@@ -129,6 +151,24 @@ inline std::vector<double> tolerance_ladder(double ladder) {
   std::vector<double> tolerances;
   for (double decades = 1.0; decades <= 16.0; decades += 0.5 * ladder) tolerances.push_back(std::pow(10.0, -decades));
   return tolerances;
+}
+
+// The ladder of a solver that is a book of the program, stepped through the course by `fewest` steps a sample and more.
+template <class Error>
+void climb_steps(Problem problem, const Solver& solver, const BookOptions& options, const Course& course, double fewest,
+                 const Effort& effort, Runs& runs, Error&& error) {
+  const BookOptions with = options_for(solver, options);
+  std::visit(
+      [&](const auto& book) {
+        if constexpr (requires(std::decay_t<decltype(book)> b) { b.step(1.0); }) {
+          climb(effort, step_ladder(fewest, effort.ladder), runs, [&](long steps) {
+            return measure(
+                {problem, solver, course.interval() / static_cast<double>(steps)}, course, effort,
+                [&] { return Stepped(book, with.integrator, course.interval(), steps); }, error);
+          });
+        }
+      },
+      make_book(solver.method, with));
 }
 
 }  // namespace bookspin

@@ -14,6 +14,8 @@
 #include <exception>
 #include <type_traits>
 
+#include "report/measure.h"
+
 namespace bookspin {
 
 template <class System>
@@ -39,7 +41,7 @@ class OdeintFixed {
     return true;
   }
   [[nodiscard]] long evaluations() const { return evaluations_; }
-  [[nodiscard]] const State& x() const { return x_; }
+  [[nodiscard]] const State& state() const { return x_; }
 
  private:
   boost::numeric::odeint::runge_kutta4<State> stepper_;
@@ -74,7 +76,7 @@ class OdeintControlled {
     return true;
   }
   [[nodiscard]] long evaluations() const { return evaluations_; }
-  [[nodiscard]] const State& x() const { return x_; }
+  [[nodiscard]] const State& state() const { return x_; }
 
  private:
   static constexpr long most_tries = 50000;
@@ -87,22 +89,36 @@ class OdeintControlled {
   long evaluations_ = 0;
 };
 
-// Calls visit(name, start) for each controlled method: start(tolerance) starts a run. The methods are copied from objects
-// of static storage, whose buffers are zero: a copy of a buffer not yet written to would be read.
-template <class State, class System, class Visit>
-void for_each_controlled(const State& x, const System& system, double interval, double first_step, Visit&& visit) {
+// The ladders of all four methods: rk4 by `fewest` steps a sample and more, the others at ever tighter tolerances. The
+// methods are copied from objects of static storage, whose buffers are zero: a copy of a buffer not yet written to would
+// be read.
+template <class State, class System, class Error>
+void climb_odeint(Problem problem, Method method, const State& x, const System& system, const Course& course,
+                  double fewest, double first_step, const Effort& effort, Runs& runs, Error&& error) {
   namespace odeint = boost::numeric::odeint;
-  const auto start = [&](auto make) { return OdeintControlled(make, x, system, interval, first_step); };
-  visit("odeint dopri5", [&](double tolerance) {
+  const auto run = [&](Odeint which, double setting, auto&& start) {
+    return measure({problem, {method, Integrator::explicit_euler, which}, setting}, course, effort, start, error);
+  };
+  climb(effort, step_ladder(fewest, effort.ladder), runs, [&](long steps) {
+    return run(Odeint::rk4, course.interval() / static_cast<double>(steps),
+               [&] { return OdeintFixed<State, System>(x, system, course.interval(), steps); });
+  });
+  const auto controlled = [&](Odeint which, auto&& make) {
+    climb(effort, tolerance_ladder(effort.ladder), runs, [&](double tolerance) {
+      const auto stepper = [&] { return make(tolerance); };
+      return run(which, tolerance, [&] { return OdeintControlled(stepper, x, system, course.interval(), first_step); });
+    });
+  };
+  controlled(Odeint::dopri5, [](double tolerance) {
     static const odeint::runge_kutta_dopri5<State> dopri5;
-    return start([&] { return odeint::make_controlled(tolerance, tolerance, dopri5); });
+    return odeint::make_controlled(tolerance, tolerance, dopri5);
   });
-  visit("odeint fehlberg78", [&](double tolerance) {
+  controlled(Odeint::fehlberg78, [](double tolerance) {
     static const odeint::runge_kutta_fehlberg78<State> fehlberg78;
-    return start([&] { return odeint::make_controlled(tolerance, tolerance, fehlberg78); });
+    return odeint::make_controlled(tolerance, tolerance, fehlberg78);
   });
-  visit("odeint bulirsch_stoer",
-        [&](double tolerance) { return start([&] { return odeint::bulirsch_stoer<State>(tolerance, tolerance); }); });
+  controlled(Odeint::bulirsch_stoer,
+             [](double tolerance) { return odeint::bulirsch_stoer<State>(tolerance, tolerance); });
 }
 
 }  // namespace bookspin

@@ -1,24 +1,43 @@
 // Plots of the report, drawn by gnuplot as SVG with a transparent ground.
 //
-// A series is a line with points in the colours of Okabe and Ito; a method keeps its colour, dash and point in every
-// plot, and no two methods share all three. Throws std::runtime_error with gnuplot's own words when it fails, and when the
-// file cannot be written.
+// A series is a line with points in the colors of Okabe and Ito; a solver keeps its color, dash and point in every
+// plot, and no two solvers share all three. Throws std::runtime_error with gnuplot's own words when it fails.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "report/runs.h"
+
 namespace bookspin {
 
-enum class Mark { line_and_points, line, points, rings, cross };  // rings: concentric, one size a series
+enum class Mark { line_and_points, line, points, cross };
+
+namespace color {
+inline constexpr const char* black = "#000000";
+inline constexpr const char* orange = "#E69F00";
+inline constexpr const char* sky = "#56B4E9";
+inline constexpr const char* green = "#009E73";
+inline constexpr const char* blue = "#0072B2";
+inline constexpr const char* vermillion = "#D55E00";
+inline constexpr const char* purple = "#CC79A7";
+}  // namespace color
+
+struct Pen {
+  const char* color = color::black;
+  int dash = 1;   // gnuplot's dashtype
+  int point = 7;  // gnuplot's pointtype
+  double width = 2.0;
+};
+
+[[nodiscard]] Pen pen_of(const Solver& solver);
 
 struct Series {
-  std::string name;                               // of the method: decides the style
+  std::string title;                              // in the key; empty: not in the key
   std::vector<std::pair<double, double>> points;  // those that are not finite are left out
+  Pen pen;
   Mark mark = Mark::line_and_points;
-  std::string title;  // in the key; empty: the name; "-": not in the key
 };
 
 struct Plot {
@@ -34,6 +53,6 @@ struct Plot {
 
 void require_gnuplot();  // throws std::runtime_error that says what to install
 
-void draw_plot(const std::filesystem::path& svg, const Plot& plot);
+[[nodiscard]] std::string svg_of(const std::string& name, const Plot& plot);  // `name` for messages
 
 }  // namespace bookspin

@@ -1,19 +1,26 @@
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <limits>
+#include <numbers>
 #include <stdexcept>
 
 #include "dynamics/rigid_motion.h"
-#include "dynamics/shape.h"
-#include "dynamics/spring_book.h"
+#include "report/draft.h"
 #include "report/odeint.h"
-#include "report/work_precision.h"
+#include "report/stability.h"
+
+// Speed against error of the springs: the farthest that a corner is from where it should be, in half diagonals of the
+// book, against the springs' own motion (data/reference/ref_springs.txt) and against the rigid body's.
 
 namespace bookspin {
 namespace {
 
 using State = std::array<double, 48>;  // positions, velocities
 using ConstCorners = Eigen::Map<const Corners>;
+using Motion = std::vector<Corners>;  // one a sample
 
 struct SpringSystem {
   SpringBook book;  // for its forces
@@ -27,40 +34,15 @@ struct SpringSystem {
   }
 };
 
-class Stepped {
- public:
-  Stepped(const BookOptions& options, double interval, long steps)
-      : book_(options), integrator_(options.integrator), h_(interval / static_cast<double>(steps)), steps_(steps) {}
-  bool to(int /*sample*/) {
-    for (long i = 0; i < steps_; ++i) book_.step(h_);
-    taken_ += steps_;
-    return true;
-  }
-  [[nodiscard]] long evaluations() const { return taken_ * evaluations_a_step(integrator_); }
-  [[nodiscard]] const Corners& corners_W() const { return book_.corners_W(); }
-
- private:
-  SpringBook book_;
-  Integrator integrator_;
-  double h_;
-  long steps_;
-  long taken_ = 0;
-};
-
-Corners corners_of(const auto& runner) {
-  if constexpr (requires { runner.corners_W(); }) {
-    return runner.corners_W();
-  } else {
-    return ConstCorners(runner.x().data());
-  }
+Corners corners_of(const auto& book) {
+  return book.corners_W();
+}
+Corners corners_of(const State& state) {
+  return ConstCorners(state.data());
 }
 
-double farthest(const Corners& a, const Corners& b) {
-  return (a - b).colwise().norm().maxCoeff();
-}
-
-Corners rigid_corners(const BookOptions& options, double t) {
-  return exact_motion(options).at(t).q_WB.toRotationMatrix() * body_of(options).corners_B;
+double farthest(const Corners& a, const Corners& b, const BookOptions& options) {
+  return (a - b).colwise().norm().maxCoeff() / body_of(options).reach;
 }
 
 // The motion of ref_springs.txt: k = 10, m = 1, the unit of time about one turn in six.
@@ -73,160 +55,209 @@ BookOptions reference_options() {
   return options;
 }
 
-BookOptions book_of_case_a() {
+BookOptions book_of_case_a(double stiffness) {
   BookOptions book;
-  book.omega_W = Eigen::Vector3d(1.0, 1e-3, 5e-4).cwiseQuotient(0.5 * body_of(book).I_B);
+  book.stiffness = stiffness;
+  book.particle_mass = 0.5;
+  book.omega_W = Eigen::Vector3d(1.0, 1e-3, 5e-4).cwiseQuotient(body_of(book).I_B);
+  book.particle_mass = 1.0;
   return book;
 }
 
-constexpr std::array<std::pair<const char*, Integrator>, 5> spring_integrators{
-    {{"explicit Euler", Integrator::explicit_euler},
-     {"semi-implicit Euler", Integrator::semi_implicit_euler},
-     {"velocity Verlet", Integrator::velocity_verlet},
-     {"rk4", Integrator::rk4},
-     {"composition8", Integrator::composition8}}};
-
-}  // namespace
-
-void spring_work_precision(const std::filesystem::path& reference, const Effort& effort, std::vector<Run>& runs) {
-  constexpr double T = 200.0;
-  const std::filesystem::path file = reference / "ref_springs.txt";
+Motion read_motion(const std::filesystem::path& file) {
   std::ifstream in(file);
-  std::vector<Corners> expected;
+  Motion motion;
   for (std::array<double, 48> row; true;) {
     for (double& number : row) in >> number;
     if (!in) break;
-    expected.emplace_back(ConstCorners(row.data()));
+    motion.emplace_back(ConstCorners(row.data()));
   }
-  if (expected.empty()) throw std::runtime_error(file.string() + ": cannot be read");
-  const int samples = static_cast<int>(expected.size());
-  const double interval = T / samples;
-  const BookOptions options = reference_options();
-  const double reach = body_of(options).reach;
-  const auto run_once = [&](const std::string& method, double setting, auto&& start) {
-    Run run{"springs", method, setting};
-    measure(run, samples, T, effort, start, [&](const auto& runner, int i) {
-      const Corners x = corners_of(runner);
-      const auto k = static_cast<std::size_t>(i);
-      const double error = farthest(x, expected[k]) / reach;
-      if (!(error < 1e3)) return false;  // a thousand times its own size: exploded
-      run.error = std::max(run.error, error);
-      return true;
-    });
-    return run;
-  };
+  if (motion.empty()) throw std::runtime_error(file.string() + ": cannot be read");
+  return motion;
+}
+
+Motion rigid_motion(const BookOptions& options, const Course& course) {
+  const TorqueFree motion = exact_motion(options);
+  const Corners rest = body_of(options).corners_B;
+  Motion x;
+  for (int i = 1; i <= course.samples; ++i)
+    x.push_back(motion.at(i * course.interval()).q_WB.toRotationMatrix() * rest);
+  return x;
+}
+
+Motion spring_motion(const BookOptions& options, const Course& course, double h) {
+  Stepped runner(SpringBook(options), options.integrator, course.interval(),
+                 static_cast<long>(std::ceil(course.interval() / h)));
+  Motion x;
+  for (int i = 0; i < course.samples; ++i) {
+    (void)runner.to(i);
+    x.push_back(runner.state().corners_W());
+  }
+  return x;
+}
+
+void against_their_own_motion(const Motion& expected, const Effort& effort, Runs& runs) {
+  const Course course{static_cast<int>(expected.size()), 200.0};
   constexpr double fewest = 4.0;
-  const auto by_steps = [&](const std::string& method, auto&& start) {
-    climb(effort, step_ladder(fewest, effort.ladder), runs, [&](long steps) {
-      return run_once(method, interval / static_cast<double>(steps), [&] { return start(steps); });
-    });
+  const BookOptions options = reference_options();
+  const auto error = [&](const auto& book, int i) {
+    return farthest(corners_of(book), expected[static_cast<std::size_t>(i)], options);
   };
-  for (const auto& [name, integrator] : spring_integrators) {
-    BookOptions with = options;
-    with.integrator = integrator;
-    by_steps(name, [&](long steps) { return Stepped(with, interval, steps); });
-  }
+  for (const Solver& solver : spring_solvers())
+    climb_steps(Problem::springs, solver, options, course, fewest, effort, runs, error);
   const SpringSystem system{SpringBook(options), options.particle_mass};
   State start{};
   Eigen::Map<Corners>(start.data()) = system.book.corners_W();
   Eigen::Map<Corners>(start.data() + 24) = system.book.velocities_W();
-  by_steps("odeint rk4", [&](long steps) { return OdeintFixed<State, SpringSystem>(start, system, interval, steps); });
-  for_each_controlled(start, system, interval, 0.01, [&](const std::string& method, auto&& make) {
-    climb(effort, tolerance_ladder(effort.ladder), runs,
-          [&](double tolerance) { return run_once(method, tolerance, [&] { return make(tolerance); }); });
-  });
+  climb_odeint(Problem::springs, Method::springs, start, system, course, fewest, 0.01, effort, runs, error);
 }
 
-void springs_against_rigid(const Effort& effort, std::vector<Run>& runs) {
-  const double T = effort.quick ? 100.0 : 600.0;
-  constexpr int samples = 60;
-  const double interval = T / samples;
-  for (const double stiffness : {10.0, 1000.0}) {
-    BookOptions book = book_of_case_a();
-    book.stiffness = stiffness;
-    std::vector<Corners> rigid;
-    for (int i = 1; i <= samples; ++i) rigid.push_back(rigid_corners(book, i * interval));
-    const auto add = [&](const char* name, const BookOptions& options) {
-      climb(effort, step_ladder(16.0, effort.ladder), runs, [&](long steps) {
-        Run run{stiffness < 100.0 ? "springs against rigid, k = 10" : "springs against rigid, k = 1000", name,
-                interval / static_cast<double>(steps)};
-        measure(
-            run, samples, T, effort, [&] { return Stepped(options, interval, steps); },
-            [&](const Stepped& runner, int i) {
-              const double error =
-                  farthest(runner.corners_W(), rigid[static_cast<std::size_t>(i)]) / (0.5 * options.size.norm());
-              run.error = std::max(run.error, error);
-              return error < 1e3;
-            });
-        return run;
+void against_the_rigid_body(const Course& course, const Effort& effort, Runs& runs) {
+  std::vector<Solver> solvers = spring_solvers();
+  solvers.insert(solvers.begin(), papers_springs);
+  for (const auto& [problem, stiffness] :
+       {std::pair{Problem::soft_springs, 10.0}, std::pair{Problem::stiff_springs, 1000.0}}) {
+    const BookOptions options = book_of_case_a(stiffness);
+    const Motion rigid = rigid_motion(options, course);
+    for (const Solver& solver : solvers) {
+      climb_steps(problem, solver, options, course, 16.0, effort, runs, [&](const auto& book, int i) {
+        return farthest(corners_of(book), rigid[static_cast<std::size_t>(i)], options);
       });
-    };
-    add("springs, Euler (the paper)", book);
-    book.normalize_every = 0;
-    book.damping = 0.0;
-    for (const auto& [name, integrator] : spring_integrators) {
-      book.integrator = integrator;
-      add(name, book);
     }
   }
 }
 
-// The book of case a under three models. Each model's own motion is computed by a method and step far more accurate
-// than what is shown.
-Table spring_model_error(const Effort& effort) {
-  Table table{
-      "spring_model_error",
-      {"stiffness", "springs", "method", "step", "integration error", "model error", "all: from the rigid motion"},
-      {}};
-  const double T = effort.quick ? 100.0 : 600.0;
-  constexpr int samples = 60;
-  constexpr double h = 0.1 / 6.0;  // the paper's program
-  const auto motion = [&](const BookOptions& with, double step) {
-    const int steps = static_cast<int>(std::ceil(T / samples / step));
-    SpringBook book(with);
-    std::vector<Corners> x;
-    for (int i = 0; i < samples; ++i) {
-      for (int n = 0; n < steps; ++n) book.step(T / samples / steps);
-      x.push_back(book.corners_W());
-    }
-    return x;
-  };
-  for (const double stiffness : effort.quick ? std::vector<double>{10.0} : std::vector<double>{10.0, 100.0, 1000.0}) {
-    BookOptions book = book_of_case_a();
-    book.stiffness = stiffness;
-    std::vector<Corners> rigid;
-    for (int i = 1; i <= samples; ++i) rigid.push_back(rigid_corners(book, T * i / samples));
-    const auto largest = [&](const std::vector<Corners>& a, const std::vector<Corners>& b) -> Cell {
+// The book of case a under three models, at the step of the paper's program. Each model's own motion is computed by a
+// method and step far more accurate than what is shown.
+constexpr double papers_step = 0.1 / 6.0;
+
+std::vector<ModelError> model_errors(const Course& course, bool quick) {
+  std::vector<ModelError> errors;
+  for (const double stiffness : quick ? std::vector<double>{10.0} : std::vector<double>{10.0, 100.0, 1000.0}) {
+    const BookOptions book = book_of_case_a(stiffness);
+    const Motion rigid = rigid_motion(book, course);
+    const auto largest = [&](const Motion& a, const Motion& b) {
       double result = 0.0;
       for (std::size_t i = 0; i < a.size(); ++i) {
-        const double error = farthest(a[i], b[i]) / (0.5 * book.size.norm());
-        if (!(error < 1e3)) return "exploded";
+        const double error = farthest(a[i], b[i], book);
+        if (!(error < 1e3)) return std::numeric_limits<double>::infinity();
         result = std::max(result, error);
       }
       return result;
     };
-    const auto add = [&](const char* springs, const char* method, BookOptions fine, double fine_step,
-                         Integrator integrator) {
-      const std::vector<Corners> own = motion(fine, fine_step);
-      fine.integrator = integrator;
-      const std::vector<Corners> x = motion(fine, h);
-      table.rows.push_back({stiffness, springs, method, h, largest(x, own), largest(own, rigid), largest(x, rigid)});
+    const auto add = [&](bool damped, bool normalized, Integrator integrator) {
+      BookOptions options = book;
+      options.damping = damped ? 1.0 : 0.0;
+      options.normalize_every = normalized ? 1 : 0;
+      options.integrator = damped ? Integrator::rk4 : Integrator::composition8;
+      const Motion own =
+          spring_motion(options, course, damped ? 0.02 / std::sqrt(stiffness) : 0.1 * std::sqrt(10.0 / stiffness));
+      options.integrator = integrator;
+      const Motion x = spring_motion(options, course, papers_step);
+      errors.push_back(
+          {stiffness, damped, normalized, integrator, largest(x, own), largest(own, rigid), largest(x, rigid)});
     };
-    BookOptions undamped = book;
-    undamped.normalize_every = 0;
-    undamped.damping = 0.0;
-    undamped.integrator = Integrator::composition8;
-    add("undamped", "velocity Verlet", undamped, 0.1 * std::sqrt(10.0 / stiffness), Integrator::velocity_verlet);
-    BookOptions damped = book;
-    damped.normalize_every = 0;
-    damped.integrator = Integrator::rk4;
-    const double fine_step = 0.02 / std::sqrt(stiffness);
-    add("damped", "explicit Euler", damped, fine_step, Integrator::explicit_euler);
-    BookOptions normalized = damped;
-    normalized.normalize_every = 1;
-    add("damped and normalized", "explicit Euler (the paper)", normalized, fine_step, Integrator::explicit_euler);
+    add(false, false, Integrator::velocity_verlet);
+    add(true, false, Integrator::explicit_euler);
+    add(true, true, Integrator::explicit_euler);
+  }
+  return errors;
+}
+
+Table model_error_table(const std::vector<ModelError>& errors) {
+  Table table{{"stiffness", "springs", "integrator", "integration error", "model error", "all: from the rigid motion"},
+              {}};
+  const auto shown = [](double error) { return std::isfinite(error) ? Cell(error) : Cell("exploded"); };
+  for (const ModelError& e : errors) {
+    table.rows.push_back({e.stiffness,
+                          !e.damped      ? "undamped"
+                          : e.normalized ? "damped and normalized"
+                                         : "damped",
+                          std::string(info_of(e.integrator).name), shown(e.integration), shown(e.model), shown(e.all)});
   }
   return table;
+}
+
+}  // namespace
+
+void spring_precision(Draft& draft) {
+  Effort effort = draft.effort;
+  effort.most_evaluations *= 2;
+  effort.repeats = 1;
+  draft.say("their own motion");
+  against_their_own_motion(read_motion(draft.order.project / "data" / "reference" / "ref_springs.txt"), effort,
+                           draft.runs);
+  draft.keep("cheapest_springs", cheapest_table(draft.runs, Problem::springs));
+  draft.plot("work_precision_springs",
+             work_precision_plot(draft.runs, {Problem::springs},
+                                 "largest error, half diagonals, from the springs' own motion", "1e-11"));
+
+  draft.say("the rigid motion");
+  const Course course{60, effort.quick ? 100.0 : 600.0};
+  against_the_rigid_body(course, effort, draft.runs);
+  Plot plot = work_precision_plot(draft.runs, {Problem::soft_springs, Problem::stiff_springs},
+                                  "largest distance, half diagonals, from the rigid motion", "1e-5");
+  const auto floor_of = [&](Problem problem, const char* k) {  // where the undamped springs level out
+    const Run* run = finest_run(draft.runs, problem, {Method::springs, Integrator::composition8});
+    if (run == nullptr) return std::nan("");
+    plot.more.push_back(fmt::format("set label 'k = {}' at graph 0.99, first {} right offset 0,0.7", k, run->error));
+    return run->error;
+  };
+  const double soft = floor_of(Problem::soft_springs, "10");
+  const double stiff = floor_of(Problem::stiff_springs, "1000");
+  draft.plot("work_precision_springs_rigid", plot);
+  draft.keep("runs", runs_table(draft.runs));
+
+  draft.say("the model's error");
+  draft.model_errors = model_errors(course, effort.quick);
+  draft.keep("spring_model_error", model_error_table(draft.model_errors));
+  nlohmann::json stiffer = nlohmann::json::array();  // what ten times the stiffness makes of the undamped model's error
+  const ModelError* before = nullptr;
+  for (const ModelError& e : draft.model_errors) {
+    if (e.damped) continue;
+    if (before != nullptr) {
+      stiffer.push_back({{"from", before->stiffness}, {"to", e.stiffness}, {"by", before->model / e.model}});
+    }
+    before = &e;
+  }
+  const ModelError& undamped = draft.model_errors[0];
+  const ModelError& damped = draft.model_errors[1];
+  const Solver euler{Method::springs, Integrator::explicit_euler};
+  const Solver verlet{Method::springs, Integrator::velocity_verlet};
+  int verlet_runs = 0;
+  int verlet_diverged = 0;
+  double verlet_least = std::numeric_limits<double>::infinity();
+  for (const Run& run : draft.runs) {
+    if (run.problem != Problem::springs || run.solver != verlet) continue;
+    ++verlet_runs;
+    if (run.outcome == Outcome::finished) continue;
+    ++verlet_diverged;
+    verlet_least = std::min(verlet_least, run.setting);
+  }
+  const auto finest = [&](const Solver& solver) {
+    const Run* run = finest_run(draft.runs, Problem::springs, solver);
+    return nlohmann::json{{"h", run == nullptr ? std::nan("") : run->setting},
+                          {"error", run == nullptr ? std::nan("") : run->error}};
+  };
+  const double verlet_limit = predicted_step_limit(options_for(verlet, BookOptions()));
+  draft.page["springs"] = {{"any", winners(draft.runs, Problem::springs, false)},
+                           {"euler", finest(euler)},
+                           {"verlet", finest(verlet)},
+                           {"verlet_runs", verlet_runs},
+                           {"verlet_diverged", verlet_diverged},
+                           {"verlet_least", verlet_least},
+                           {"verlet_limit", verlet_limit},
+                           {"soft", soft},
+                           {"stiff", stiff},
+                           {"paper_soft", best_error(draft.runs, Problem::soft_springs, papers_springs)},
+                           {"paper_stiff", best_error(draft.runs, Problem::stiff_springs, papers_springs)},
+                           {"turn", 2.0 * std::numbers::pi / reference_options().omega_W.norm()},
+                           {"T", course.T},
+                           {"h", papers_step},
+                           {"stiffer", std::move(stiffer)},
+                           {"damping_changes_more", damped.model > undamped.model},
+                           {"damped_model", damped.model},
+                           {"undamped_model", undamped.model}};
 }
 
 }  // namespace bookspin

@@ -1,5 +1,7 @@
 #include "report/stability.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
@@ -7,6 +9,9 @@
 
 #include "dynamics/integrators.h"
 #include "dynamics/shape.h"
+#include "report/draft.h"
+#include "scene/judge.h"
+#include "scene/scene_file.h"
 #include "scene/simulate.h"
 
 namespace bookspin {
@@ -18,7 +23,7 @@ using Matrix2 = Eigen::Matrix2d;
 Matrix2 one_step(Integrator integrator, double lambda, double gamma, double h) {
   Matrix2 A;
   A << 0.0, 1.0, -lambda, -gamma;
-  Matrix2 one = Matrix2::Identity();
+  const Matrix2 one = Matrix2::Identity();
   Matrix2 M;
   switch (integrator) {
     case Integrator::explicit_euler:
@@ -89,15 +94,6 @@ Matrix24 stiffness_matrix(const Eigen::Vector3d& size) {
   return K;
 }
 
-BookOptions unnormalized_springs(double stiffness, double damping, Integrator integrator) {
-  BookOptions options;
-  options.stiffness = stiffness;
-  options.damping = damping;
-  options.integrator = integrator;
-  options.normalize_every = 0;
-  return options;
-}
-
 SpringModes spring_modes(const Eigen::Vector3d& size) {
   const Eigen::SelfAdjointEigenSolver<Matrix24> solver(stiffness_matrix(size));
   return {solver.eigenvalues(), solver.eigenvectors()};
@@ -134,36 +130,43 @@ double measured_step_limit(const BookOptions& options, double from, double to, i
   return 0.5 * (stable + unstable);
 }
 
-Table step_limits(const Effort& effort) {
-  Table table{
-      "step_limits", {"stiffness", "method", "predicted step", "measured step", "measured / predicted - 1"}, {}};
-  const int steps = effort.quick ? 1500 : 12000;
-  for (const double stiffness :
-       effort.quick ? std::vector<double>{10.0, 1000.0} : std::vector<double>{1.0, 10.0, 100.0, 1000.0, 10000.0}) {
-    for (const auto& [name, integrator, damping] :
-         {std::tuple{"explicit Euler, damped", Integrator::explicit_euler, 1.0},
-          std::tuple{"semi-implicit Euler, damped", Integrator::semi_implicit_euler, 1.0},
-          std::tuple{"rk4, damped", Integrator::rk4, 1.0},
-          std::tuple{"semi-implicit Euler, undamped", Integrator::semi_implicit_euler, 0.0},
-          std::tuple{"velocity Verlet, undamped", Integrator::velocity_verlet, 0.0},
-          std::tuple{"rk4, undamped", Integrator::rk4, 0.0}}) {
-      const BookOptions options = unnormalized_springs(stiffness, damping, integrator);
+namespace {
+
+struct StepLimit {
+  double damping;
+  Integrator integrator;
+  double predicted, measured;  // steps, in units of sqrt(m / k)
+};
+
+// Composition 8 has no limit that a run would show: its first instabilities are narrow and slow.
+std::vector<StepLimit> step_limits(bool quick) {
+  const int steps = quick ? 1500 : 12000;
+  std::vector<StepLimit> limits;
+  for (const double damping :
+       quick ? std::vector<double>{0.0, 1.0} : std::vector<double>{0.0, 0.1, 0.2, 0.5, 1.0, 2.0}) {
+    for (const IntegratorInfo& row : integrators) {
+      if (!takes(Method::springs, damping > 0.0, row) || row.id == Integrator::composition8) continue;
+      if (row.id == Integrator::explicit_euler && damping == 0.0) continue;  // no step is stable
+      BookOptions options;
+      options.stiffness = 1.0;  // and mass 1: the unit of time is sqrt(m / k)
+      options.damping = damping;
+      options.integrator = row.id;
+      options.normalize_every = 0;
       const double predicted = predicted_step_limit(options);
-      const double measured = measured_step_limit(options, 0.8 * predicted, 1.25 * predicted, steps);
-      table.rows.push_back({stiffness, name, predicted, measured, measured / predicted - 1.0});
+      limits.push_back(
+          {damping, row.id, predicted, measured_step_limit(options, 0.8 * predicted, 1.25 * predicted, steps)});
     }
-    table.rows.push_back({stiffness, "explicit Euler, undamped", 0.0, 0.0, "no step is stable"});
   }
-  return table;
+  return limits;
 }
 
 // The vibration's energy grows by (1 + h^2 lambda) a step; its velocity, by the root. The fastest mode soon leads.
-Table undamped_euler_growth(const Effort& effort) {
-  Table table{"undamped_euler_growth", {"step", "predicted rate", "measured rate", "measured / predicted"}, {}};
+Table undamped_euler_growth(bool quick) {
+  Table table{{"step", "predicted rate", "measured rate", "measured / predicted"}, {}};
   const double largest = spring_modes(BookOptions().size).mu.maxCoeff();
   for (const double h :
-       effort.quick ? std::vector<double>{0.1 / 6.0} : std::vector<double>{0.05, 0.1 / 6.0, 0.005, 0.001, 0.0002}) {
-    BookOptions options = unnormalized_springs(10.0, 0.0, Integrator::explicit_euler);
+       quick ? std::vector<double>{0.1 / 6.0} : std::vector<double>{0.05, 0.1 / 6.0, 0.005, 0.001, 0.0002}) {
+    BookOptions options = options_for({Method::springs, Integrator::explicit_euler}, BookOptions());
     options.omega_W = {0.01, 0.007, 0.004};
     const double lambda = largest * options.stiffness / options.particle_mass;
     const double predicted = std::log1p(h * h * lambda) / (2.0 * h);
@@ -193,17 +196,71 @@ Table undamped_euler_growth(const Effort& effort) {
   return table;
 }
 
-Table what_normalization_hides(const Scene& scene) {
-  Table table{
-      "what_normalization_hides", {"time", "energy ratio", "angular momentum ratio", "stretch", "floor hits"}, {}};
-  const Trajectory trajectory = simulate(scene);
-  const std::vector<BookFrame>& frames = trajectory.books.front().frames;
-  for (std::size_t n = 0; n < frames.size(); ++n) {
-    const BookFrame& f = frames[n];
-    table.rows.push_back({static_cast<double>(n) * scene.clip.time_per_frame, f[Q::energy_ratio],
-                          f[Q::angular_momentum_ratio], f[Q::stretch], f[Q::floor_hits]});
+// The book of Figure 5 as the original program has it, with one step a frame of 0.1: normalized, and not.
+nlohmann::json one_step_a_frame(const std::filesystem::path& project) {
+  const auto run = [&](bool normalize) {
+    const std::vector<std::string> overrides{
+        "clip.time_per_frame=0.1", "clip.substeps=1", "clip.frames=900", fmt::format("book.0.normalize={}", normalize),
+        "expect=[{quantity=\"exploded\", rises_to=1}, {quantity=\"stretch\", at_most=1e9}, "
+        "{quantity=\"angular_momentum_ratio\", frame=899, at_most=1e9}]"};
+    const Scene scene = load_scene(project / "videos" / "fig05_unstable_x.toml", overrides);
+    const std::vector<Verdict> found = judge(scene, simulate(scene));
+    return nlohmann::json{{"frames", scene.clip.frames},
+                          {"explodes", found[0].met},
+                          {"frame", found[0].frame},
+                          {"stretch", found[1].found},
+                          {"momentum", found[2].found}};
+  };
+  return {{"normalized", run(true)}, {"plain", run(false)}};
+}
+
+}  // namespace
+
+void stability(Draft& draft) {
+  const std::vector<StepLimit> limits = step_limits(draft.effort.quick);
+  Table table{{"integrator", "damping", "predicted", "measured", "measured / predicted - 1"}, {}};
+  Plot plot{"damping, in units of critical damping of each spring", "largest stable step, in units of √(m/k)", false,
+            true};
+  plot.more = {"set format y '%g'", "set key inside right top"};
+  double worst = 0.0;
+  const double unit = std::sqrt(BookOptions().particle_mass / BookOptions().stiffness);
+  nlohmann::json paper;
+  double papers_limit = std::nan("");
+  double verlet_limit = std::nan("");
+  for (const IntegratorInfo& row : integrators) {
+    const Pen pen = pen_of({Method::springs, row.id});
+    Series predicted{std::string(row.name), {}, pen, Mark::line};
+    Series measured{"  measured", {}, pen, Mark::points};
+    for (const StepLimit& limit : limits) {
+      if (limit.integrator != row.id) continue;
+      const double off = limit.measured / limit.predicted - 1.0;
+      worst = std::max(worst, std::abs(off));
+      table.rows.push_back({std::string(row.name), limit.damping, limit.predicted, limit.measured, off});
+      predicted.points.emplace_back(limit.damping, limit.predicted);
+      measured.points.emplace_back(limit.damping, limit.measured);
+      if (row.id == Integrator::velocity_verlet) verlet_limit = limit.predicted * unit;
+      if (row.id == Integrator::explicit_euler && limit.damping == 1.0) {
+        papers_limit = limit.predicted * unit;
+        paper["predicted"] = papers_limit;
+        paper["measured"] = limit.measured * unit;
+      }
+    }
+    if (measured.points.empty()) continue;
+    plot.series.push_back(std::move(predicted));
+    plot.series.push_back(std::move(measured));
   }
-  return table;
+  draft.plot("step_limits", plot);
+  draft.keep("step_limits", table);
+  const Eigen::VectorXd mu = spring_modes(BookOptions().size).mu;
+  paper["worst"] = 100.0 * worst;
+  paper["k"] = BookOptions().stiffness;
+  paper["oscillators"] = (mu.array() > 1e-9).count();
+  paper["verlet_times"] = verlet_limit / papers_limit;
+  paper["overdamped"] = std::sqrt(mu.maxCoeff());  // c omega / (2 k), omega^2 = mu k / m, c = 2 sqrt(k m)
+  paper["one_step"] = one_step_a_frame(draft.order.project);
+  draft.page["limits"] = std::move(paper);
+  draft.say("growth of the undamped vibration");
+  draft.keep("undamped_euler_growth", undamped_euler_growth(draft.effort.quick));
 }
 
 }  // namespace bookspin

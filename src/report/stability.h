@@ -1,19 +1,15 @@
-// How large a step the springs bear, and what happens beyond it.
+// How large a step the springs bear.
 //
 // At rest x'' = -(c / k) K x' - K x: all 28 springs share c / k, so the damping matrix is the stiffness matrix's
 // multiple, and each mode of K (eigenvalue lambda = mu k / m) is an oscillator of its own, s^2 + (c / k) lambda s +
 // lambda = 0. A method is stable at step h when the matrix by which one of its steps multiplies (x, v) of a mode has
-// spectral radius at most 1, for every mode. Undamped explicit Euler has sqrt(1 + h^2 lambda) > 1 at any step: not a
-// limit but a rate, about h lambda / 2.
+// spectral radius at most 1, for every mode. All limits are proportional to sqrt(m / k), the only time there is.
+// Undamped explicit Euler has sqrt(1 + h^2 lambda) > 1 at any step: not a limit but a rate, about h lambda / 2.
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
 
 #include "dynamics/book.h"
-#include "report/measure.h"
-#include "report/table.h"
-#include "scene/scene.h"
 
 namespace bookspin {
 
@@ -22,25 +18,16 @@ using Matrix24 = Eigen::Matrix<double, 24, 24>;
 // K m / k on the positions, corner by corner.
 [[nodiscard]] Matrix24 stiffness_matrix(const Eigen::Vector3d& size);
 
-[[nodiscard]] BookOptions unnormalized_springs(double stiffness, double damping, Integrator integrator);
-
 struct SpringModes {
   Eigen::VectorXd mu;       // of K m / k, ascending: 24, of which six are 0 (the rigid motions)
   Eigen::MatrixXd vectors;  // column by column, |v| = 1, corner by corner
 };
 [[nodiscard]] SpringModes spring_modes(const Eigen::Vector3d& size);
 
-// Largest stable step from the modes; infinite or 0 never occur for a damped explicit Euler, or an undamped other
-// method.
+// Largest stable step from the modes, of an integrator that has one: not undamped explicit Euler.
 [[nodiscard]] double predicted_step_limit(const BookOptions& options);
 // The same by bisection on the program's own book, turning slowly: a step is too large when the shape is lost
 // within `steps` steps.
 [[nodiscard]] double measured_step_limit(const BookOptions& options, double from, double to, int steps);
-
-[[nodiscard]] Table step_limits(const Effort& effort);            // over stiffness
-[[nodiscard]] Table undamped_euler_growth(const Effort& effort);  // rate of the vibration over the step
-[[nodiscard]] Table time_to_explosion(const Effort& effort);      // over substeps a frame
-[[nodiscard]] Table what_normalization_hides(
-    const Scene& scene);  // its first book's energy and angular momentum, frame by frame
 
 }  // namespace bookspin

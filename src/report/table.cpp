@@ -3,25 +3,33 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
 
 namespace bookspin {
 namespace {
 
 std::string csv_cell(const Cell& cell) {
-  if (const auto* value = std::get_if<double>(&cell)) return std::isfinite(*value) ? fmt::format("{:.8g}", *value) : "";
+  if (const auto* value = std::get_if<double>(&cell)) return std::isfinite(*value) ? fmt::format("{}", *value) : "";
   const std::string& text = std::get<std::string>(cell);
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted(1, '"');
   for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
   quoted += '"';
   return quoted;
+}
+
+std::string shown(const Cell& cell) {
+  const auto* value = std::get_if<double>(&cell);
+  return value == nullptr ? std::get<std::string>(cell) : readable(*value);
+}
+
+std::string power_of_ten(int exponent) {
+  static constexpr std::array<const char*, 10> raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "10⁻" : "10";
+  for (const char digit : std::to_string(std::abs(exponent))) text += raised[static_cast<std::size_t>(digit - '0')];
+  return text;
 }
 
 }  // namespace
@@ -38,73 +46,53 @@ std::string as_csv(const Table& table) {
   return out;
 }
 
-std::string as_html(const Table& table) {
-  std::string out = "<div class=\"scroll\"><table><thead><tr>";
-  for (const std::string& column : table.columns) out += "<th scope=\"col\">" + column + "</th>";
-  out += "</tr></thead><tbody>\n";
+nlohmann::ordered_json as_json(const Table& table) {
+  auto rows = nlohmann::ordered_json::array();
   for (const auto& row : table.rows) {
-    out += "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const auto* value = std::get_if<double>(&row[i]);
-      const std::string text = value == nullptr ? std::get<std::string>(row[i]) : readable(*value);
-      if (i == 0) {
-        out += fmt::format("<th scope=\"row\">{}</th>", text);
-      } else {
-        out += fmt::format("<td{}>{}</td>", value != nullptr ? " class=\"n\"" : "", text);
-      }
-    }
-    out += "</tr>\n";
+    nlohmann::ordered_json object;
+    for (std::size_t i = 0; i < row.size(); ++i)
+      std::visit([&](const auto& value) { object[table.columns[i]] = value; }, row[i]);
+    rows.push_back(std::move(object));
   }
-  return out + "</tbody></table></div>";
+  return rows;
 }
 
-std::string as_json(const std::vector<Table>& tables, const std::vector<std::pair<std::string, std::string>>& head) {
-  nlohmann::ordered_json json;
-  for (const auto& [key, value] : head) json[key] = value;
-  for (const Table& table : tables) {
-    auto& rows = json[table.name] = nlohmann::ordered_json::array();
-    for (const auto& row : table.rows) {
-      nlohmann::ordered_json object;
-      for (std::size_t i = 0; i < row.size(); ++i) {
-        const auto* value = std::get_if<double>(&row[i]);
-        if (value == nullptr) {
-          object[table.columns[i]] = std::get<std::string>(row[i]);
-        } else {
-          object[table.columns[i]] = std::isfinite(*value)
-                                         ? nlohmann::ordered_json(std::stod(fmt::format("{:.8g}", *value)))
-                                         : nlohmann::ordered_json();
-        }
-      }
-      rows.push_back(std::move(object));
-    }
+nlohmann::json for_page(const Table& table) {
+  nlohmann::json columns = nlohmann::json::array();
+  nlohmann::json rows = nlohmann::json::array();
+  for (const std::string& column : table.columns) {
+    const std::size_t i = columns.size();
+    const bool number = i > 0 && std::any_of(table.rows.begin(), table.rows.end(), [i](const auto& row) {
+                          return std::holds_alternative<double>(row[i]) || std::get<std::string>(row[i]) == "never";
+                        });
+    columns.push_back({{"text", column}, {"number", number}});
   }
-  return json.dump(1) + "\n";
-}
-
-std::string escape_text(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+  for (const auto& row : table.rows) {
+    nlohmann::json cells = nlohmann::json::array();
+    for (std::size_t i = 0; i < row.size(); ++i)
+      cells.push_back({{"text", shown(row[i])}, {"number", columns[i]["number"]}, {"head", i == 0}});
+    rows.push_back({{"cells", std::move(cells)}});
   }
-  return out;
+  return {{"columns", std::move(columns)}, {"rows", std::move(rows)}};
 }
 
 std::string readable(double value) {
   if (!std::isfinite(value)) return "–";
   if (value == 0.0) return "0";
   const double size = std::abs(value);
-  if (size < 1e5 && value == std::floor(value)) return fmt::format("{:.0f}", value);
-  if (size >= 1e-2 && size < 1e5) {
+  if (size >= 1.0 && size < 1e5 && value == std::floor(value)) return fmt::format("{:.0f}", value);
+  if (size > 1e-2 && size < 1e5) {
     const int decimals = std::max(0, 2 - static_cast<int>(std::floor(std::log10(size))));
     return fmt::format("{:.{}f}", value, decimals);
   }
-  static constexpr std::array<const char*, 10> raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   const std::string text = fmt::format("{:.1e}", value);
   const std::size_t e = text.find('e');
-  const int exponent = std::stoi(text.substr(e + 1));
-  std::string power;
-  for (const char digit : std::to_string(std::abs(exponent))) power += raised[static_cast<std::size_t>(digit - '0')];
-  return text.substr(0, e) + "·10" + (exponent < 0 ? "⁻" : "") + power;
+  const std::string power = power_of_ten(std::stoi(text.substr(e + 1)));
+  return value == std::stod("1e" + text.substr(e + 1)) ? power : text.substr(0, e) + "·" + power;
+}
+
+std::string plain(double power_of_ten) {
+  return fmt::format("1e{:.0f}", std::log10(power_of_ten));
 }
 
 }  // namespace bookspin

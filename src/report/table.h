@@ -1,12 +1,11 @@
-// A table of the report: the same rows as CSV, as JSON and as HTML.
+// A table of the report: the same rows as CSV, as JSON, and for the page.
 //
-// A number that is not finite is an empty cell in CSV, null in JSON, a dash in HTML. CSV and JSON keep eight digits,
-// HTML three.
+// A number that is not finite is an empty cell in CSV, null in JSON, a dash on the page. CSV and JSON keep all digits,
+// the page three.
 #pragma once
 
-#include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -15,19 +14,18 @@ namespace bookspin {
 using Cell = std::variant<std::string, double>;
 
 struct Table {
-  std::string name;  // of its CSV file, and its key in the JSON
   std::vector<std::string> columns;
   std::vector<std::vector<Cell>> rows;  // each as long as columns
 };
 
 [[nodiscard]] std::string as_csv(const Table& table);
-[[nodiscard]] std::string as_html(const Table& table);
-[[nodiscard]] std::string as_json(const std::vector<Table>& tables,
-                                  const std::vector<std::pair<std::string, std::string>>& head);
+[[nodiscard]] nlohmann::ordered_json as_json(const Table& table);  // a list of objects, one a row
+// {columns: [{text, number}], rows: [{cells: [{text, number, head}]}]}: number is true of each cell of a column of
+// numbers, head of the first cell.
+[[nodiscard]] nlohmann::json for_page(const Table& table);
 
-[[nodiscard]] std::string escape_text(std::string_view text);  // & < > for HTML
-
-// Three digits, 1.2e-7 as "1.2·10⁻⁷": for reading.
+// Three digits, 1.2e-7 as "1.2·10⁻⁷", a power of ten as "10⁻⁷": for reading.
 [[nodiscard]] std::string readable(double value);
+[[nodiscard]] std::string plain(double power_of_ten);  // "1e-7": for the names of columns
 
 }  // namespace bookspin

@@ -1,4 +1,4 @@
-// The report's own machinery: tables, the page's template, the measuring of a run, the springs' modes.
+// The report's own machinery: tables, the measuring of a run, the queries of runs, programs, plots, the springs' modes.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,11 +6,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <set>
 #include <stdexcept>
+#include <tuple>
 
 #include "dynamics/book.h"
 #include "report/measure.h"
-#include "report/page.h"
 #include "report/plots.h"
 #include "report/program.h"
 #include "report/stability.h"
@@ -26,12 +27,18 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-TEST(Tables, AsCsvAndHtml) {
-  const Table table{"t", {"method", "error"}, {{"Euler, \"matrix\"", 1.0 / 3.0}, {"never", std::nan("")}}};
-  EXPECT_EQ(as_csv(table), "method,error\n\"Euler, \"\"matrix\"\"\",0.33333333\nnever,\n");
-  EXPECT_THAT(as_html(table), HasSubstr("<td class=\"n\">0.333</td>"));
-  EXPECT_THAT(as_html(table), HasSubstr("<td class=\"n\">–</td>"));
-  EXPECT_THAT(as_json({table}, {{"commit", "c"}}), HasSubstr("\"error\": null"));
+TEST(Tables, AsCsvAsJsonAndForThePage) {
+  const Table table{{"method", "error", "note"}, {{"Euler, \"matrix\"", 1.0 / 3.0, "a"}, {"b", std::nan(""), "c"}}};
+  EXPECT_EQ(as_csv(table), "method,error,note\n\"Euler, \"\"matrix\"\"\",0.3333333333333333,a\nb,,c\n");
+  EXPECT_EQ(as_json(table).dump(), R"([{"method":"Euler, \"matrix\"","error":0.3333333333333333,"note":"a"},)"
+                                   R"({"method":"b","error":null,"note":"c"}])");
+  const nlohmann::json page = for_page(table);
+  EXPECT_EQ(page["columns"][1], nlohmann::json({{"text", "error"}, {"number", true}}));
+  EXPECT_EQ(page["columns"][2]["number"], false);
+  EXPECT_EQ(page["rows"][0]["cells"][0],
+            nlohmann::json({{"text", "Euler, \"matrix\""}, {"number", false}, {"head", true}}));
+  EXPECT_EQ(page["rows"][0]["cells"][1]["text"], "0.333");
+  EXPECT_EQ(page["rows"][1]["cells"][1]["text"], "–");
 }
 
 TEST(Tables, NumbersToRead) {
@@ -42,27 +49,14 @@ TEST(Tables, NumbersToRead) {
   EXPECT_EQ(readable(3.0), "3");
   EXPECT_EQ(readable(3.001), "3.00");
   EXPECT_EQ(readable(0.0), "0");
+  EXPECT_EQ(readable(1e-2), "10⁻²");
+  EXPECT_EQ(readable(1e-15), "10⁻¹⁵");
   EXPECT_EQ(readable(std::numeric_limits<double>::infinity()), "–");
 }
 
-TEST(Page, AsksForEveryValueAndForNoOther) {
-  const Scratch scratch;
-  write_text(scratch / "page.html", "<p>{{a}} and {{b}}</p>");
-  EXPECT_EQ(fill_page(scratch / "page.html", {{"a", "1"}, {"b", "{{2}}"}}), "<p>1 and {{2}}</p>");
-  EXPECT_THAT(
-      [&] {
-        (void)fill_page(scratch / "page.html", {{"a", "1"}});
-      },
-      ThrowsMessage<std::runtime_error>(HasSubstr("{{b}}")));
-  EXPECT_THAT(
-      [&] {
-        (void)fill_page(scratch / "page.html", {{"a", ""}, {"b", ""}, {"c", ""}});
-      },
-      ThrowsMessage<std::runtime_error>(HasSubstr("{{c}} is nowhere asked for")));
-  EXPECT_THROW((void)fill_page(scratch / "none.html", {}), std::runtime_error);
-}
+constexpr Solver toy = exact_solver;
 
-// Halves its error with every halving of the step, diverges where it is coarse, stalls where it is fine.
+// Stalls after `last`.
 struct Toy {
   double error;
   int last;
@@ -71,29 +65,26 @@ struct Toy {
     ++taken;
     return sample <= last;
   }
+  [[nodiscard]] const double& state() const { return error; }
   [[nodiscard]] long evaluations() const { return taken; }
 };
 
 TEST(Measuring, MarksWhatDivergesAndWhatStalls) {
-  const Effort effort{1'000, 2};
   const auto once = [&](double error, int last) {
-    bookspin::Run run{"toy", "toy", 1.0};
-    measure(
-        run, 5, 10.0, effort,
+    return measure(
+        {Problem::case_a, toy, 1.0}, {5, 10.0}, {1'000, 2, 0},
         [&] {
           return Toy{error, last};
         },
-        [&](const Toy& toy, int) {
-          run.error = std::max(run.error, toy.error);
-          return std::isfinite(toy.error);
-        });
-    return run;
+        [](double state, int) { return state; });
   };
   EXPECT_EQ(once(0.5, 9).outcome, Outcome::finished);
   EXPECT_EQ(once(0.5, 9).error, 0.5);
+  EXPECT_EQ(once(0.5, 9).evaluations, 5);
   EXPECT_GT(once(0.5, 9).ns_per_time, 0.0);
   EXPECT_EQ(once(std::nan(""), 9).outcome, Outcome::diverged);
   EXPECT_TRUE(std::isnan(once(std::nan(""), 9).error));
+  EXPECT_EQ(once(2e3, 9).outcome, Outcome::diverged);
   EXPECT_EQ(once(0.5, 3).outcome, Outcome::stalled);
 }
 
@@ -101,10 +92,10 @@ TEST(Measuring, MarksWhatDivergesAndWhatStalls) {
 TEST(Measuring, ALadderEndsWhereItMust) {
   const std::vector<int> settings{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
   const auto rungs = [&](auto outcome_at, auto error_at, long most) {
-    std::vector<bookspin::Run> runs;
-    climb({most, 1}, settings, runs, [&](int rung) {
+    Runs runs;
+    climb({most, 1, 0}, settings, runs, [&](int rung) {
       const double slow = 1e18;  // ns: no matter
-      return bookspin::Run{"toy", "toy", 1.0, error_at(rung), slow, 1L << rung, outcome_at(rung)};
+      return bookspin::Run{Problem::case_a, toy, 1.0, error_at(rung), slow, 1L << rung, outcome_at(rung)};
     });
     return runs.size();
   };
@@ -139,17 +130,60 @@ TEST(Programs, AreAnsweredInFull) {
   EXPECT_EQ(run_program("no-such-program", {}, "").status, program_not_found);
 }
 
-TEST(Cheapest, IsTheFastestThatIsNearEnough) {
-  const std::vector<bookspin::Run> runs{{"p", "m", 1.0, 1e-1, 10.0, 1, Outcome::finished},
-                                        {"p", "m", 0.5, 1e-3, 30.0, 1, Outcome::finished},
-                                        {"p", "m", 0.2, 1e-5, 20.0, 1, Outcome::finished},
-                                        {"p", "n", 0.2, std::nan(""), 5.0, 1, Outcome::diverged}};
-  const Table table = cheapest(runs, "p", {1e-2, 1e-6});
+constexpr Solver rk4{Method::quaternion, Integrator::rk4};
+constexpr Solver dmv10{Method::quaternion, Integrator::dmv10};
+
+TEST(Queries, SeeFinishedRunsOfTheirProblemAlone) {
+  const double none = std::nan("");
+  const Runs runs{{Problem::case_a, rk4, 1.0, 1e-1, 10.0, 1, Outcome::finished},
+                  {Problem::case_a, rk4, 0.5, 1e-3, 30.0, 1, Outcome::finished},
+                  {Problem::case_a, rk4, 0.2, 1e-5, 20.0, 1, Outcome::finished},
+                  {Problem::case_a, rk4, 0.1, none, 2.0, 1, Outcome::stalled},
+                  {Problem::case_a, dmv10, 0.2, none, 5.0, 1, Outcome::diverged},
+                  {Problem::case_b, dmv10, 0.2, 1e-9, 1.0, 1, Outcome::finished}};
+  EXPECT_EQ(best_error(runs, Problem::case_a, rk4), 1e-5);
+  EXPECT_TRUE(std::isnan(best_error(runs, Problem::case_a, dmv10)));
+  EXPECT_EQ(least_cost(runs, Problem::case_a, rk4, 1e-2), 20.0);
+  EXPECT_EQ(least_cost(runs, Problem::case_a, rk4, 0.5), 10.0);
+  EXPECT_TRUE(std::isnan(least_cost(runs, Problem::case_a, rk4, 1e-6)));
+  EXPECT_EQ(finest_run(runs, Problem::case_a, rk4)->setting, 0.2);
+  EXPECT_EQ(coarsest_run(runs, Problem::case_a, rk4)->setting, 1.0);
+  EXPECT_EQ(run_near(runs, Problem::case_a, rk4, 0.4)->setting, 0.5);
+  EXPECT_EQ(nearest_stepper(runs, Problem::case_a)->setting, 0.2);
+  const Table table = cheapest_table(runs, Problem::case_a);
   ASSERT_EQ(table.rows.size(), 2U);
   EXPECT_EQ(std::get<double>(table.rows[0][1]), 20.0);
-  EXPECT_EQ(std::get<std::string>(table.rows[0][2]), "never");
-  EXPECT_EQ(std::get<std::string>(table.rows[1][1]), "never");
-  EXPECT_EQ(std::get<std::string>(table.rows[1][3]), "none finished");
+  EXPECT_EQ(std::get<std::string>(table.rows[0][3]), "never");
+  EXPECT_EQ(std::get<std::string>(table.rows[1][5]), "none finished");
+}
+
+TEST(Queries, TheCheapestOfAllWins) {
+  const Runs runs{{Problem::case_a, exact_solver, 0.0, 1e-15, 10.0, 1, Outcome::finished},
+                  {Problem::case_a, rk4, 0.5, 1e-3, 5.0, 1, Outcome::finished},
+                  {Problem::case_a, dmv10, 0.5, 1e-5, 20.0, 1, Outcome::finished}};
+  const auto names = [&](bool stepping) {
+    std::string text;
+    for (const auto& winner : winners(runs, Problem::case_a, stepping)) text += winner["name"].get<std::string>() + ' ';
+    return text;
+  };
+  EXPECT_EQ(names(false), "rk4 exact exact exact ");
+  EXPECT_EQ(names(true), "rk4 dmv10 ");  // and nothing for what none of them reaches
+}
+
+TEST(Solvers, AreThoseOfTheTableEachWithItsOwnNameAndPen) {
+  std::set<std::string> names;
+  std::set<std::tuple<std::string, int, int>> pens;
+  std::vector<Solver> all = rigid_solvers();
+  for (const Solver& solver : odeint_solvers(Method::quaternion)) all.push_back(solver);
+  EXPECT_EQ(all.size(), 13U);
+  for (const Solver& solver : all) {
+    names.insert(name_of(solver));
+    const Pen pen = pen_of(solver);
+    pens.emplace(pen.color, pen.dash, pen.point);
+  }
+  EXPECT_EQ(names.size(), all.size());
+  EXPECT_EQ(pens.size(), all.size());
+  EXPECT_EQ(spring_solvers().size(), 5U);
 }
 
 TEST(RigidCases, TheOptionsAreTheSameBody) {
@@ -165,7 +199,7 @@ TEST(RigidCases, TheOptionsAreTheSameBody) {
 }
 
 TEST(StepLimits, AreNotMadeUpForAnIntegratorWhoseLinearStepIsNotKnown) {
-  EXPECT_THROW(static_cast<void>(predicted_step_limit(unnormalized_springs(10.0, 0.0, Integrator::composition8))),
+  EXPECT_THROW(static_cast<void>(predicted_step_limit({.integrator = Integrator::composition8})),
                std::invalid_argument);
 }
 
@@ -186,15 +220,30 @@ TEST(SpringModes, VerletsLimitIsTwoOverTheFastest) {
   EXPECT_NEAR(predicted_step_limit(options), std::sqrt(8.0) / std::sqrt(80.0), tolerance(1e-8));  // measured 1e-10
 }
 
+TEST(SpringModes, TheFastestAndSoTheLimitIsThatOfAnyShape) {
+  BookOptions options;
+  options.integrator = Integrator::rk4;
+  const double book = predicted_step_limit(options);
+  options.size = {1.0, 1.0, 1.0};
+  EXPECT_NEAR(predicted_step_limit(options), book, tolerance(1e-12));  // measured 1e-16
+}
+
 TEST(Plots, GnuplotsOwnWordsAreTold) {
-  const Scratch scratch;
   Plot plot{"x", "y"};
   plot.more = {"set label 'here' at first nan, 1"};
-  plot.series = {{"rk4", {{1.0, 1.0}, {2.0, 0.5}}, Mark::line, ""}};
+  plot.series = {{"a line", {{1.0, 1.0}, {2.0, 0.5}}, {}, Mark::line}};
   EXPECT_THAT(
-      [&] { draw_plot(scratch / "a.svg", plot); },
+      [&] { (void)svg_of("a.svg", plot); },
       ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("a.svg: gnuplot"), HasSubstr("undefined variable: nan"))));
-  EXPECT_FALSE(std::filesystem::exists(scratch / "a.svg"));
+}
+
+TEST(Plots, LeaveOutWhatIsNotFinite) {
+  Plot plot{"x", "y"};
+  plot.series = {{"holes", {{1.0, 1.0}, {std::nan(""), 0.5}, {3.0, std::nan("")}, {2.0, 0.5}}, {}, Mark::line},
+                 {"nothing", {{1.0, std::nan("")}}, {}, Mark::line}};
+  const std::string svg = svg_of("a.svg", plot);
+  EXPECT_THAT(svg, HasSubstr("holes"));
+  EXPECT_THAT(svg, testing::Not(HasSubstr("nothing")));
 }
 
 TEST(Plots, AMissingGnuplotIsNamedWithItsPackage) {
@@ -203,13 +252,6 @@ TEST(Plots, AMissingGnuplotIsNamedWithItsPackage) {
   setenv("PATH", scratch.folder().c_str(), 1);
   EXPECT_THAT([] { require_gnuplot(); }, ThrowsMessage<std::runtime_error>(HasSubstr("package gnuplot-nox")));
   setenv("PATH", path.c_str(), 1);
-}
-
-TEST(Plots, WithoutAFolderTheFileIsNamed) {
-  Plot plot{"x", "y"};
-  plot.series = {{"rk4", {{1.0, 1.0}, {2.0, 0.5}}, Mark::line, ""}};
-  EXPECT_THAT([&] { draw_plot("/proc/nowhere/a.svg", plot); },
-              ThrowsMessage<std::runtime_error>(HasSubstr("/proc/nowhere/a.svg")));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "report/runs.h"
 #include "scratch.h"
 #include "tolerance.h"
 
@@ -22,21 +23,20 @@ using testing::HasSubstr;
 using testing::Not;
 using Json = nlohmann::json;
 
-const std::vector<std::string> rigid_methods{
-    "exact", "Euler, matrix", "Euler, quaternion", "rk4",           "splitting2",        "splitting4",           "dmv2",
-    "dmv6",  "dmv10",         "odeint rk4",        "odeint dopri5", "odeint fehlberg78", "odeint bulirsch_stoer"};
-const std::vector<std::string> spring_methods{
-    "explicit Euler", "semi-implicit Euler", "velocity Verlet",      "rk4", "composition8", "odeint rk4",
-    "odeint dopri5",  "odeint fehlberg78",   "odeint bulirsch_stoer"};
+std::vector<std::string> names_of(std::vector<Solver> solvers, Method odeint) {
+  std::vector<std::string> names;
+  for (const Solver& solver : solvers) names.push_back(name_of(solver));
+  for (const Solver& solver : odeint_solvers(odeint)) names.push_back(name_of(solver));
+  return names;
+}
+const std::vector<std::string> rigid_methods = names_of(rigid_solvers(), Method::quaternion);
+const std::vector<std::string> spring_methods = names_of(spring_solvers(), Method::springs);
 
 // Made once for all tests.
 struct Report : testing::Test {
   static void SetUpTestSuite() {
     folder = fs::temp_directory_path() / ("bookspin-report-" + std::to_string(getpid()));
-    make_report({folder, BOOKSPIN_SOURCE_DIR, true}, [](std::string_view, double done) {
-      EXPECT_GE(done, 0.0);
-      EXPECT_LE(done, 1.0);
-    });
+    make_report({folder, BOOKSPIN_SOURCE_DIR, true}, [](std::string_view what) { said += std::string(what) + '\n'; });
     json = Json::parse(read_text(folder / "report.json"));
   }
   static void TearDownTestSuite() { fs::remove_all(folder); }
@@ -59,6 +59,7 @@ struct Report : testing::Test {
   }
 
   inline static fs::path folder;
+  inline static std::string said;
   inline static Json json;
 };
 
@@ -88,9 +89,15 @@ TEST_F(Report, ThePageShowsOnlyWhatIsThere) {
   }
 }
 
+TEST_F(Report, SaysHowFarItIs) {
+  EXPECT_THAT(said, HasSubstr("1 of 7: speed against error, case a\n"));
+  EXPECT_THAT(said, HasSubstr("7 of 7: the paper's claims\n"));
+}
+
 TEST_F(Report, SaysWhereItWasMade) {
-  for (const char* key : {"processor", "cores", "compiler", "flags", "commit"})
+  for (const char* key : {"processor", "compiler", "flags", "commit"})
     EXPECT_NE(json[key].get<std::string>(), "") << key;
+  EXPECT_GT(json["cores"].get<int>(), 0);
   EXPECT_THAT(json["flags"].get<std::string>(), HasSubstr("-ffp-contract=off"));
 }
 
@@ -104,7 +111,7 @@ TEST_F(Report, EveryTableHasEveryMethod) {
     EXPECT_EQ(methods_of(std::string("cheapest_") + letter), rigid_methods) << letter;
   EXPECT_EQ(methods_of("cheapest_springs"), spring_methods);
   EXPECT_EQ(json["growth_rates"].size(), 14U);
-  EXPECT_EQ(json["flip_times"][0].size(), 16U);
+  EXPECT_EQ(json["flip_times"][0].size(), 16U);  // with the kick and theory
 }
 
 TEST_F(Report, TheExactMethodBeatsAll) {
@@ -125,23 +132,26 @@ TEST_F(Report, NothingThatStepsReachesTheSeparatrix) {
   }
 }
 
+TEST_F(Report, TheFirstFlipIsRightAndTheSecondIsLost) {
+  const auto dmv10_at = [](double t) {
+    for (const Json& row : json["error_over_time"]) {
+      if (row["time"] == t) return row["dmv10"].get<double>();
+    }
+    return std::nan("");
+  };
+  EXPECT_LT(dmv10_at(450.0), tolerance(1e-12));  // measured 2.1e-14, after the first flip at 407
+  EXPECT_GT(dmv10_at(1100.0), 1.0);              // measured 3.1, before the second at 1228
+}
+
 TEST_F(Report, EulerLosesTheBook) {
-  EXPECT_GT(best_error("case a", "Euler, matrix"), 1.0);
-  EXPECT_GT(best_error("case a", "Euler, quaternion"), 1.0);
-  EXPECT_GT(best_error("springs", "explicit Euler"), 1.0);
+  EXPECT_GT(best_error("case a", "explicit_euler, matrix"), 1.0);
+  EXPECT_GT(best_error("case a", "explicit_euler, quaternion"), 1.0);
+  EXPECT_GT(best_error("springs", "explicit_euler"), 1.0);
   EXPECT_LT(best_error("case a", "rk4"), 1e-6);
 }
 
 TEST_F(Report, HigherOrderIsNearerAtTheSameStep) {
-  const double h = 10.0 / 11.0;  // a coarse step all have in common
-  double step = 0.0;
-  for (const Json& run : json["runs"]) {
-    if (run["problem"] == "case a" && run["method"] == "dmv10" && run["outcome"] == "finished" &&
-        std::abs(std::log(run["setting"].get<double>() / h)) < 0.6) {
-      step = run["setting"];
-    }
-  }
-  ASSERT_GT(step, 0.0);
+  const double step = 1.25;  // one that all have in common
   const double dmv2 = error_at("case a", "dmv2", step);
   const double dmv6 = error_at("case a", "dmv6", step);
   const double dmv10 = error_at("case a", "dmv10", step);
@@ -166,7 +176,7 @@ TEST_F(Report, PredictedAndMeasuredStepLimitsAgree) {
     EXPECT_NEAR(row["measured / predicted - 1"].get<double>(), 0.0, tolerance(0.01)) << row;  // measured 0.0057
     ++compared;
   }
-  EXPECT_EQ(compared, 12);
+  EXPECT_EQ(compared, 6);  // three undamped, three damped
 }
 
 TEST_F(Report, UndampedEulerGrowsAtThePredictedRate) {
@@ -191,8 +201,7 @@ TEST_F(Report, FlipsComeAtTheirTimes) {
     for (const auto& [method, time] : row.items()) {
       if (method == "kick") continue;
       ASSERT_TRUE(time.is_number()) << method << row;
-      EXPECT_NEAR(time.get<double>(), row["theory"].get<double>(), tolerance(0.5))
-          << method << row;  // measured 0.25, sampled each 0.1
+      EXPECT_NEAR(time.get<double>(), row["theory"].get<double>(), tolerance(0.5)) << method << row;  // measured 0.22
       ++flips;
     }
   }
@@ -210,7 +219,7 @@ TEST_F(Report, EveryClaimHasAVerdictANumberAndACommand) {
   for (const Json& claim : json["claims"]) {
     ++verdicts[claim["verdict"]];
     EXPECT_THAT(claim["command"].get<std::string>(),
-                testing::AnyOf(HasSubstr("build/bookspin check videos/"), testing::Eq("make report")));
+                testing::AnyOf(HasSubstr("bookspin check videos/"), testing::Eq("bookspin report")));
     EXPECT_NE(claim["measured"].get<std::string>(), "");
     if (claim["claim"].get<std::string>().find("Euler integration is sufficient") != std::string::npos) {
       EXPECT_EQ(claim["verdict"], "refuted");
@@ -222,9 +231,9 @@ TEST_F(Report, EveryClaimHasAVerdictANumberAndACommand) {
 }
 
 TEST_F(Report, PlotsAreDrawn) {
-  for (const char* name : {"work_precision_a", "work_precision_b", "work_precision_c", "work_precision_d",
-                           "work_precision_springs", "work_precision_springs_rigid", "step_limits", "time_to_explosion",
-                           "what_normalization_hides", "flip_times", "accuracy_in_a_film"}) {
+  for (const char* name : {"error_over_time", "work_precision_a", "work_precision_b", "work_precision_c",
+                           "work_precision_d", "work_precision_springs", "work_precision_springs_rigid", "step_limits",
+                           "time_to_explosion", "what_normalization_hides", "flip_times", "accuracy_in_a_film"}) {
     const std::string svg = read_text(folder / (std::string(name) + ".svg"));
     EXPECT_THAT(svg, HasSubstr("</svg>")) << name;
     EXPECT_THAT(svg, HasSubstr("<path")) << name;
