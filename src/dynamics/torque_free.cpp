@@ -125,6 +125,9 @@ Axes axes_of(const ExactVector& I, const ExactVector& L_B) {
   return axes;
 }
 
+// Of the largest component of L_B. What is smaller counts as zero: products of it would leave the range of double.
+constexpr double negligible_kick = 1e-265;
+
 }  // namespace
 
 // What was given, over powers of two: every digit stays, and squares and products stay inside the range of double.
@@ -136,8 +139,14 @@ struct TorqueFree::Start {
   int L_exponent;      // L is in units of 2^L_exponent
   int rate_exponent;   // L / I is in units of 2^rate_exponent
 
-  Start(const ExactVector& exact_I, const ExactVector& exact_L_B, const DdQuaternion& q, int L_unit, int rate_unit)
-      : axes(axes_of(exact_I, exact_L_B)), q_WB0(q), L_exponent(L_unit), rate_exponent(rate_unit) {
+  Start(const ExactVector& exact_I, ExactVector exact_L_B, const DdQuaternion& q, int L_unit, int rate_unit)
+      : q_WB0(q), L_exponent(L_unit), rate_exponent(rate_unit) {
+    const auto size_of = [](const Expansion& x) { return std::abs(x.rounded().hi); };
+    const double largest = std::max({size_of(exact_L_B[0]), size_of(exact_L_B[1]), size_of(exact_L_B[2])});
+    for (Expansion& kick : exact_L_B) {
+      if (size_of(kick) < negligible_kick * largest) kick = Expansion();
+    }
+    axes = axes_of(exact_I, exact_L_B);
     for (std::size_t i = 0; i < 3; ++i) {
       I[i] = exact_I[i].rounded();
       L_B[i] = exact_L_B[i].rounded();
@@ -207,8 +216,10 @@ TorqueFree::TorqueFree(const Start& start)
   } else {
     tumble(start);
   }
-  if (!std::isfinite(time_scale_) || !std::isfinite(turn_rate_.hi) || !std::isfinite(theta_.frequency.hi)) {
-    refuse("|L| / I overflows");
+  if (!std::isfinite(time_scale_)) refuse("|L| / I overflows");
+  if (!std::isfinite(turn_rate_.hi) || !std::isfinite(theta_.frequency.hi) || !std::isfinite(phase0_.hi) ||
+      !frames_[0].allFinite()) {
+    refuse("the moments, or the components of L, are too many orders of magnitude apart");
   }
 }
 
@@ -315,6 +326,7 @@ double TorqueFree::flip_period() const {
 
 double TorqueFree::first_flip() const {
   if (steady_ || (theta_.reduce == 0 && phase0_.hi > 0)) return std::numeric_limits<double>::infinity();
+  if (phase0_.hi == 0) return 0;
   const Dd flips = phase0_.hi > 0 ? Dd(1.0) - phase0_ : -phase0_;
   return (flips / theta_.frequency).hi / time_scale_;
 }

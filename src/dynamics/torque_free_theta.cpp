@@ -3,7 +3,6 @@
 namespace bookspin {
 namespace {
 
-constexpr double negligible = 1e-34;
 constexpr int enough = 40;  // rounds of an iteration that converges within 15
 
 // Arithmetic-geometric mean of 1 and 0 < b <= 1: the complete integral K(k) is pi / (2 agm(1, k')) (DLMF 19.8.5).
@@ -17,19 +16,12 @@ Dd agm(Dd b) {
   return (a + b) * 0.5;  // quadratic convergence: the last mean is exact to 1e-31
 }
 
-// Arc tangent of 0 <= v <= 1: three halvings of the angle, then Taylor, in double where its terms are below 1e-16.
+// Arc tangent of 0 <= v <= 1: three halvings of the angle, then Taylor.
 Dd atan(Dd v) {
-  static constexpr auto reciprocals = [] {
-    std::array<Dd, 8> table;
-    for (std::size_t i = 0; i < table.size(); ++i) table[i] = Dd(1.0) / (2.0 * static_cast<double>(i) + 1);
-    return table;
-  }();
   for (int halving = 0; halving < 3; ++halving) v = v / (sqrt(v * v + 1.0) + 1.0);
   const Dd square = v * v;
-  double tail = 0;
-  for (int odd = 31; odd > 15; odd -= 2) tail = 1.0 / odd - square.hi * tail;
-  Dd sum = tail;
-  for (std::size_t i = reciprocals.size(); i-- > 0;) sum = reciprocals[i] - square * sum;
+  Dd sum;
+  for (int odd = 31; odd > 0; odd -= 2) sum = Dd(1.0) / odd - square * sum;
   return v * sum * 8.0;
 }
 
@@ -43,14 +35,7 @@ Dd nome_over_epsilon(Dd epsilon) {
   return ((fourth * (Dd(15.0) + tail)) + 2.0) * fourth + 1.0;
 }
 
-// Theta functions at a point of the imaginary axis, or their image: each Real is a double or a Dd.
-template <class Real>
-struct ThetaSums {
-  Real theta1, partner;  // the quotient theta1 / partner is what eta is found from
-  Real slope;            // d(arg alpha)/dx at x = 0, times partner
-};
-
-// c sqrt(c^2 + 4 p), divided by c^2, with p = r^2: squares of tiny values do not underflow.
+// c sqrt(c^2 + 4 r^2) over c^2: squares of tiny values do not underflow.
 template <class Real>
 Real root_over_c(Real c, Real r) {
   using std::sqrt;  // or, by argument, that of Dd
@@ -58,95 +43,83 @@ Real root_over_c(Real c, Real r) {
   return sqrt(ratio * ratio + 1.0);
 }
 
-// At z = i eta, nome Q = p^2, p = r^2, in terms of c = 2 r sinh eta: theta1 / i and theta4 are polynomials in e = 2 p
-// cosh 2 eta: U_n = p^n sinh((2n+1) eta) / sinh eta, V_n = 2 p^n cosh 2n eta, W_n = p^n sinh 2n eta / sinh 2 eta.
+// Section 4: theta functions are sums w_0 + w_1 v_1 + w_2 v_2 + ...; here the weights are prepared, at nome p.
+
+// Sum of t_n p^(n^2) 2 cos 2nx, or of t_n p^(n^2) 2 sin 2nx: w_n = t_n p^(n^2 - n), in which step = p^(2n).
+template <class Real, std::size_t N>
+std::array<Real, N> even_multiples(const std::array<double, N>& t, Real p, Real step = 1.0) {
+  std::array<Real, N> w;
+  Real power = 1.0;
+  for (std::size_t n = 0; n < N; ++n) {
+    w[n] = power * t[n];
+    power = power * step;
+    step = step * p * p;
+  }
+  return w;
+}
+
+// Sum of t_n p^(n (n+1)) sin((2n+1) x) / sin x: w_n = t_n p^(n^2) + p w_(n+1).
+template <class Real, std::size_t N>
+std::array<Real, N> odd_multiples(const std::array<double, N>& t, Real p) {
+  std::array<Real, N> w = even_multiples(t, p, p);
+  for (std::size_t n = N - 1; n > 0; --n) w[n - 1] = w[n - 1] + p * w[n];
+  return w;
+}
+
 template <class Real>
-ThetaSums<Real> trigonometric_sums(Real c, Real r) {
-  const Real p = r * r;
-  const Real c2 = c * c;
-  const Real e = c2 + p * 2.0;
+struct Sums {
+  Real cosines;  // w_0 + sum of w_n v_n
+  Real sines;    // sum of w_n 2 p^n sin 2nx, over 2 p sin 2x
+};
+
+// By Clenshaw's recurrence; v_1 = 2 p cos 2x. With cosh for imaginary x.
+template <class Real, std::size_t N>
+Sums<Real> sums(const std::array<Dd, N>& w, Real v_1, Real p) {
   const Real p2 = p * p;
-  const Real p4 = p2 * p2;
-  Real U = e + p;
-  Real U_before = 1.0;
-  Real V = e;
-  Real V_before = 2.0;
-  Real W = 1.0;
-  Real W_before = 0.0;
-  Real weight4 = -p;   // (-1)^n p^(2n^2-n)
-  Real power = p2;     // p^(2n): weight1 / weight4
-  Real step = p4 * p;  // p^(4n+1)
-  ThetaSums<Real> sums{1.0, 1.0, 0.0};
-  const auto recur = [&](Real& now, Real& before) {
-    const Real next = e * now - p2 * before;
-    before = now;
-    now = next;
-  };
-  for (int n = 1; std::abs(static_cast<double>(weight4)) > negligible; ++n) {
-    sums.theta1 = sums.theta1 + weight4 * power * U;
-    sums.partner = sums.partner + weight4 * V;
-    sums.slope = sums.slope - weight4 * W * (2.0 * n);
-    recur(U, U_before);
-    recur(V, V_before);
-    recur(W, W_before);
-    weight4 = -(weight4 * step);
-    power = power * p2;
-    step = step * p4;
+  Real b = 0.0;
+  Real b_before = 0.0;
+  for (std::size_t n = N - 1; n > 0; --n) {
+    const Real next = Real(w[n]) + v_1 * b - p2 * b_before;
+    b_before = b;
+    b = next;
   }
-  sums.theta1 = sums.theta1 * c;
-  sums.slope = sums.slope * c2 * root_over_c(c, r);
-  return sums;
+  return {Real(w[0]) + v_1 * b - p2 * b_before * 2.0, b};
 }
 
-// theta1(eta, Q') and theta2(eta, Q') over cos eta, in terms of v = tan eta:
-// S_n = sin((2n+1) eta) / sin eta and C_n = cos((2n+1) eta) / cos eta are polynomials in w = 2 cos 2 eta.
-template <class Real>
-ThetaSums<Real> hyperbolic_sums(Real v, Real nome) {
-  const Real v2 = v * v;
-  const Real w = (Real(1.0) - v2) * 2.0 / (v2 + 1.0);
-  Real S = w + 1.0;
-  Real S_before = 1.0;
-  Real C = w - 1.0;
-  Real C_before = 1.0;
-  const Real nome2 = nome * nome;
-  Real weight = nome2;  // Q'^(n(n+1))
-  Real step = nome2 * nome2;
-  ThetaSums<Real> sums{1.0, 1.0, 1.0};
-  const auto recur = [&](Real& now, Real& before) {
-    const Real next = w * now - before;
-    before = now;
-    now = next;
-  };
-  double sign = -1;
-  for (int n = 1; static_cast<double>(weight) > negligible; ++n) {
-    const Real term = weight * S;
-    sums.theta1 = sums.theta1 + term * sign;
-    sums.partner = sums.partner + weight * C;
-    sums.slope = sums.slope + term * (2.0 * n + 1);
-    recur(S, S_before);
-    recur(C, C_before);
-    weight = weight * step;
-    step = step * nome2;
-    sign = -sign;
+// The same as coefficients of powers of v_1.
+template <std::size_t N>
+std::array<double, N> in_powers(const std::array<double, N>& w, double p) {
+  std::array<double, N> b{};
+  std::array<double, N> b_before{};
+  for (std::size_t n = N; n-- > 0;) {
+    std::array<double, N> next{};
+    next[0] = w[n] - p * p * b_before[0] * (n == 0 ? 2 : 1);
+    for (std::size_t i = 1; i < N; ++i) next[i] = b[i - 1] - p * p * b_before[i] * (n == 0 ? 2 : 1);
+    b_before = b;
+    b = next;
   }
-  sums.theta1 = sums.theta1 * v;
-  sums.slope = sums.slope * v;
-  return sums;
+  return b;
 }
 
-// Newton's iteration for theta1 / partner = target, in double and once more in double-double. slope: the derivative at
-// the root, in closed form, so that the step from 16 digits gives 31.
-template <class Sums, class Slope>
-Dd solve(Dd target, const Sums& sums, const Slope& slope) {
+constexpr std::array<double, 7> alternating{1, -1, 1, -1, 1, -1, 1};
+
+// Newton's iteration for quotient(root) = target, in double and once more in double-double. slope: the derivative at the
+// root, in closed form, so that the step from 16 digits gives 31.
+template <class Quotient, class Slope>
+Dd solve(Dd target, const Quotient& quotient, const Slope& slope) {
   double root = target.hi;
   for (int step = 0; step < 10; ++step) {
-    const auto at = sums(root);
-    const double change = (at.theta1 / at.partner - target.hi) / slope(root);
+    const double change = (quotient(root) - target.hi) / slope(root);
     root -= change;
     if (std::abs(change) <= 1e-15 * root) break;
   }
-  const auto at = sums(Dd(root));
-  return Dd(root) - (at.theta1 / at.partner - target).hi / slope(root);
+  return Dd(root) - (quotient(Dd(root)) - target).hi / slope(root);
+}
+
+// theta1..4(x, p), in powers of 2 p cos 2x; or of 2 p cosh 2x for imaginary x.
+void elliptic_polynomials(double p, ThetaForm& form) {
+  form.theta12 = in_powers(odd_multiples<double, 5>({1, -1, 1, -1, 1}, p), p);
+  form.theta34 = in_powers(even_multiples<double, 5>({1, 1, 1, 1, 1}, p), p);
 }
 
 double power(double x, std::size_t n) {
@@ -155,41 +128,6 @@ double power(double x, std::size_t n) {
     if (n % 2 == 1) product *= x;
   }
   return product;
-}
-
-// w_0 + sum of w_n v_n, v_0 = 2, v_1 = x, v_(n+1) = x v_n - beta v_(n-1), as coefficients of powers of x (Clenshaw):
-// v_n = 2 p^n cos 2nx is a polynomial in x = 2 p cos 2x, with beta = p^2; with cosh as well.
-template <std::size_t N>
-std::array<double, N> in_powers(const std::array<double, N>& w, double beta) {
-  std::array<double, N> b{};
-  std::array<double, N> b_before{};
-  for (std::size_t n = N - 1; n > 0; --n) {
-    std::array<double, N> next{};
-    next[0] = w[n] - beta * b_before[0];
-    for (std::size_t i = 1; i < N; ++i) next[i] = b[i - 1] - beta * b_before[i];
-    b_before = b;
-    b = next;
-  }
-  std::array<double, N> sum{};
-  sum[0] = w[0] - 2 * beta * b_before[0];
-  for (std::size_t i = 1; i < N; ++i) sum[i] = b[i - 1] - 2 * beta * b_before[i];
-  return sum;
-}
-
-// Sum of t_n p^(n (n+1)) sin((2n+1) x) / sin x = 1 + 2 cos 2x + ... + 2 cos 2nx, likewise.
-template <std::size_t N>
-std::array<double, N> odd_multiples(const std::array<double, N>& t, double p) {
-  std::array<double, N> w{};
-  for (std::size_t j = 0; j < N; ++j) {
-    for (std::size_t n = N; n-- > j;) w[j] += t[n] * power(p, n * (n + 1) - j);
-  }
-  return in_powers(w, p * p);
-}
-
-// theta1..4(x, p), in powers of 2 p cos 2x; or of 2 p cosh 2x for imaginary x.
-void elliptic_polynomials(double p, ThetaForm& form) {
-  form.theta12 = odd_multiples<5>({1, -1, 1, -1, 1}, p);
-  form.theta34 = in_powers<5>({1, 1, power(p, 2), power(p, 6), power(p, 12)}, p * p);
 }
 
 struct ThetaConstants {
@@ -223,11 +161,21 @@ ThetaForm trigonometric_form(const EllipticMotion& motion) {
   const double theta3 = theta_constants(p * p).theta3.hi;
   const double by_eta =
       theta3 * theta3 * root_over_c(T, root_k1.hi / 2) * std::sqrt(1 + root_k1.hi * root_k1.hi * T * T);  // over T
-  const Dd c = solve(
-      motion.tangent, [&](auto at) { return trigonometric_sums(at, decltype(at)(r)); },
-      [&](double at) { return by_eta * (T / at) / root_over_c(at, r.hi); });
-  const auto sums = trigonometric_sums(c, r);
-  form.mu = motion.rate_at_zero - rate * sums.slope / sums.partner * motion.s;
+  // theta1(i eta, Q) / i = c theta1, v_1 = 2 Q cosh 2 eta, 2 Q sinh 2 eta = p c sqrt(c^2 + 4 p).
+  const Dd Q = p * p;
+  const auto theta1 = odd_multiples(alternating, Q);
+  const auto theta4 = even_multiples(alternating, Q);
+  const auto theta1_over_theta4 = [&](auto at) {
+    using Real = decltype(at);
+    const Real v_1 = Real(p) * (at * at + Real(p) * 2.0);
+    return at * sums(theta1, v_1, Real(Q)).cosines / sums(theta4, v_1, Real(Q)).cosines;
+  };
+  const Dd c =
+      solve(motion.tangent, theta1_over_theta4, [&](double at) { return by_eta * (T / at) / root_over_c(at, r.hi); });
+  const Dd v_1 = p * (c * c + p * 2.0);
+  const auto theta4_slope = even_multiples<Dd, 7>({0, 2, -4, 6, -8, 10, -12}, Q);
+  const Dd slope = p * c * c * root_over_c(c, r) * sums(theta4_slope, v_1, Q).sines / sums(theta4, v_1, Q).cosines;
+  form.mu = motion.rate_at_zero - rate * slope * motion.s;
 
   form.nome = p.hi;
   elliptic_polynomials(p.hi, form);
@@ -247,7 +195,7 @@ ThetaForm trigonometric_form(const EllipticMotion& motion) {
     re[n] = weight * (power(up, n) + power(down, n));
     im[n] = -motion.s * 4 * p.hi * weight * (power(up, n) - power(down, n));
   }
-  form.alpha_re = in_powers(re, power(p.hi, 2));
+  form.alpha_re = in_powers(re, p.hi);
   form.alpha_im = {im[1] - power(p.hi, 2) * im[3], im[2], im[3], 0};
   return form;
 }
@@ -267,11 +215,20 @@ ThetaForm hyperbolic_form(const EllipticMotion& motion) {
   const double T2 = motion.tangent.hi * motion.tangent.hi;
   const double theta3 = theta_constants(nome).theta3.hi;
   const double by_eta = theta3 * theta3 * std::sqrt((k1.hi + T2) * (1 + k1.hi * T2));
-  const Dd v = solve(
-      motion.tangent, [&](auto at) { return hyperbolic_sums(at, decltype(at)(nome)); },
-      [&](double at) { return by_eta / (1 + at * at); });
-  const auto sums = hyperbolic_sums(v, nome);
-  form.mu = motion.rate_at_zero - rate * sums.slope / sums.partner * motion.s;
+  // v_1 = 2 Q' cos 2 eta', v = tan eta'; theta2 is theta1 with the sign of v_1 changed.
+  const auto theta1 = odd_multiples(alternating, nome);
+  const auto v_1 = [&](auto at) {
+    using Real = decltype(at);
+    return Real(nome) * 2.0 * (Real(1.0) - at * at) / (at * at + 1.0);
+  };
+  const auto theta1_over_theta2 = [&](auto at) {
+    using Real = decltype(at);
+    return at * sums(theta1, v_1(at), Real(nome)).cosines / sums(theta1, -v_1(at), Real(nome)).cosines;
+  };
+  const Dd v = solve(motion.tangent, theta1_over_theta2, [&](double at) { return by_eta / (1 + at * at); });
+  const auto theta2_slope = odd_multiples<Dd, 7>({1, 3, 5, 7, 9, 11, 13}, nome);
+  const Dd slope = v * sums(theta2_slope, v_1(v), nome).cosines / sums(theta1, -v_1(v), nome).cosines;
+  form.mu = motion.rate_at_zero - rate * slope * motion.s;
   if (motion.k_prime.hi > 0) {
     const Dd period = dd_pi * 0.5 * agm_k / agm(motion.k_prime);
     const Dd kappa = atan(v) * (2 * motion.s) / period;
@@ -301,8 +258,8 @@ ThetaForm hyperbolic_form(const EllipticMotion& motion) {
     S[n] = w * S[n - 1] - S[n - 2];
     C[n] = w * C[n - 1] - C[n - 2];
   }
-  form.alpha_re = odd_multiples<4>({C[0], -C[1], C[2], -C[3]}, Q);
-  form.alpha_im = odd_multiples(S, Q);
+  form.alpha_re = in_powers(odd_multiples<double, 4>({C[0], -C[1], C[2], -C[3]}, Q), Q);
+  form.alpha_im = in_powers(odd_multiples(S, Q), Q);
   for (std::size_t i = 0; i < 4; ++i) {
     if (i % 2 == 1) form.alpha_re[i] = -form.alpha_re[i];
     form.alpha_im[i] = (v * form.alpha_im[i]).hi * motion.s;

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <limits>
 #include <numbers>
+#include <random>
 #include <vector>
 
 #include "dynamics/torque_free.h"
@@ -122,6 +123,30 @@ TEST(TorqueFreeLimits, KicksOfTheStableAxes) {
     }
   }
   expect_exact("kicks 1e-100 to 5e-324", worst);
+}
+
+// Whatever a script may say: never a NaN, and never a refusal.
+TEST(TorqueFreeLimits, AnyBookAndAnySpinIsFinite) {
+  std::mt19937_64 random(11);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1p-53);
+  };
+  for (int trial = 0; trial < 20000; ++trial) {
+    Vector3d size;
+    Vector3d omega;
+    for (int i = 0; i < 3; ++i) {
+      size[i] = std::pow(10, uniform(-6, 6));
+      omega[i] = trial % (i + 4) == 0 ? 0 : std::pow(10, trial % (i + 2) == 0 ? uniform(-323, 6) : uniform(-2, 2));
+    }
+    if (trial % 5 == 0) size[trial % 3] = size[(trial + 1) % 3];
+    const TorqueFree motion = TorqueFree::of_book(size, omega);
+    for (const double angle : {0.0, -3.7, 1e5, 1e14}) {
+      const RigidState state = motion.at(angle / std::max(omega.stableNorm(), 1e-250));
+      ASSERT_NEAR(state.q_WB.norm(), 1, tolerance(2e-15)) << size.transpose() << ", " << omega.transpose();
+      ASSERT_TRUE(state.L_B.allFinite()) << size.transpose() << ", " << omega.transpose();  // measured 6.7e-16
+    }
+    ASSERT_FALSE(std::isnan(motion.flip_period()) || std::isnan(motion.first_flip()));
+  }
 }
 
 TEST(TorqueFreeLimits, ExactlyOnTheSeparatrix) {
