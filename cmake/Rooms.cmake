@@ -14,8 +14,8 @@ function(bookspin_room room)
   cmake_parse_arguments(ROOM "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
   bookspin_expose(${room})
   add_library(bookspin_${room} STATIC ${ROOM_SOURCES})
-  target_include_directories(bookspin_${room} PUBLIC ${PROJECT_BINARY_DIR}/rooms/${room})
-  target_link_libraries(bookspin_${room} PUBLIC ${ROOM_LINKS} PRIVATE bookspin_warnings ${ROOM_PRIVATE_LINKS})
+  target_include_directories(bookspin_${room} PUBLIC $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/rooms/${room}>)
+  target_link_libraries(bookspin_${room} PUBLIC ${ROOM_LINKS} PRIVATE $<BUILD_INTERFACE:bookspin_warnings> ${ROOM_PRIVATE_LINKS})
 endfunction()
 
 # bookspin_test(dynamics SOURCES a_test.cpp ... LINKS rooms ...): one test program a room, tests/<room>/.
