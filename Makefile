@@ -1,7 +1,7 @@
 # The front door. Each target works alone on a fresh Debian: it installs what is missing, builds, and runs.
 
 .NOTPARALLEL:  # two builds in one folder break it; each build uses every core by itself
-.PHONY: figures test page report bench golden clean
+.PHONY: figures test page report bench golden package clean
 
 # Every film, then the course page around them, in videos/site/.
 figures: program
@@ -30,6 +30,12 @@ bench: everything
 golden: everything
 	BOOKSPIN_ACCEPT_GOLDENS=1 ctest --test-dir build --output-on-failure -R '^(image|render|film)$$'
 	git status --short tests/golden
+
+# Debian packages, in build/: the program with its files, and the library bookspin::dynamics.
+package: configured
+	cmake --build build --target bookspin bookspin_c bookspin_single_header
+	@printf 'dpkg-dev\nfile\n' >build/package-tools && ./install-packages build/package-tools
+	cd build && cpack
 
 clean:
 	rm -rf build build-debug build-sanitize videos/site

@@ -60,8 +60,8 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME bookspin)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "films of a tumbling book
- Scene scripts become films of a tumbling book, a course page around them,
- and a report on the accuracy of the integrators.")
+Scene scripts become films of a tumbling book, a course page around them,
+and a report on the accuracy of the integrators.")
 # Opened by path or by dlopen, so that no library names them. OpenGL off the screen is OSMesa's or EGL's.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fonts-inter, libosmesa6 | libegl1, libosmesa6 | libgl1-mesa-dri")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS gnuplot-nox)
@@ -69,6 +69,6 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libbookspin-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "exact torque-free rotation of a rigid body
- The motion in closed form at any time, and integrators of it: for C++ with
- Eigen as a library or as a single header, and a C interface.")
+The motion in closed form at any time, and integrators of it: for C++ with
+Eigen as a library or as a single header, and a C interface.")
 include(CPack)
