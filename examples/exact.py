@@ -42,11 +42,11 @@ def rk4(y, steps):
 
 try:
     from scipy.integrate import solve_ivp
-    name, bound = "scipy's DOP853", 1e-9
+    name, bound = "scipy's DOP853", 1e-10  # measured: 3.6e-12
     found = list(solve_ivp(rates, [0, t_end], q0 + L0, "DOP853", rtol=1e-13, atol=1e-15).y[:, -1])
 except ImportError:
-    name, bound = "RK4", 1e-9
+    name, bound = "RK4", 1e-9  # measured: 6.0e-11
     found = rk4(q0 + L0, 40000)
 error = max(abs(a - b) for a, b in zip(found, list(q) + list(L)))
 print(f"exact at t = {t_end:g}: q = {list(q)}, L_B = {list(L)}\n{name} differs by {error:.1e}")
-sys.exit(error > bound)
+sys.exit(1 if error > bound else 0)
