@@ -8,7 +8,7 @@ if(BOOKSPIN_PROGRAM)
   install(TARGETS bookspin)
   install(DIRECTORY shaders textures data DESTINATION ${CMAKE_INSTALL_DATADIR}/bookspin)
   install(DIRECTORY videos DESTINATION ${CMAKE_INSTALL_DATADIR}/bookspin PATTERN site EXCLUDE)
-  install(FILES LICENSE NOTICE.md DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
+  install(FILES LICENSE NOTICE.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 endif()
 
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME library)
@@ -18,7 +18,7 @@ install(TARGETS bookspin_dynamics bookspin_c EXPORT bookspin
 install(DIRECTORY src/dynamics DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/bookspin FILES_MATCHING PATTERN "*.h")
 install(FILES ${PROJECT_BINARY_DIR}/single_header/bookspin_dynamics.h TYPE INCLUDE)
 install(EXPORT bookspin NAMESPACE bookspin:: FILE bookspinTargets.cmake DESTINATION ${package_dir})
-install(FILES LICENSE NOTICE.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libbookspin-dev OPTIONAL)
+install(FILES LICENSE NOTICE.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libbookspin-dev)
 
 file(CONFIGURE OUTPUT bookspinConfig.cmake CONTENT [[
 include(CMakeFindDependencyMacro)
