@@ -1,5 +1,5 @@
 #version 330 core
-// Light is reckoned linearly, colours are kept encoded: sRGB is close to the power law x^(1/2.2), which makes a product of linear values
+// Light is reckoned linearly, colors are kept encoded: sRGB is close to the power law x^(1/2.2), which makes a product of linear values
 // the product of the encoded ones. So encoded light by vertex times encoded texture is linear-light shading, without the conversions
 // that would cost as much as all the rest.
 
@@ -7,7 +7,7 @@ uniform sampler2D picture;
 
 in vec2 place;
 in vec3 light;  // encoded
-in vec3 gloss;  // added to the encoded colour
+in vec3 gloss;  // added to the encoded color
 out vec4 color;
 
 void main() { color = vec4(texture(picture, place).rgb * light + gloss, 1.0); }

@@ -1,5 +1,5 @@
 #version 330 core
-// Arrows: triangles of one colour, under the book's light.
+// Arrows: triangles of one color, under the book's light.
 
 uniform mat4 clip_from_world;
 uniform mat3 R_CW;

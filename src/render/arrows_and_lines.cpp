@@ -14,8 +14,8 @@ constexpr int sides = 24;
 constexpr double head_radius = 2.6;   // shaft radii
 constexpr double head_length = 7.0;   // shaft radii
 constexpr double line_bias = 0.004;   // share of its distance that a line is drawn nearer
-constexpr GLsizei solid_floats = 10;  // point, normal, colour
-constexpr GLsizei line_floats = 8;    // clip coordinates, colour
+constexpr GLsizei solid_floats = 10;  // point, normal, color
+constexpr GLsizei line_floats = 8;    // clip coordinates, color
 
 template <typename Derived>
 void push(std::vector<float>& out, const Eigen::MatrixBase<Derived>& vector) {

@@ -1,4 +1,4 @@
-// A colour as OpenGL wants it: the sRGB levels divided by 255, not linearised (book.frag says why).
+// A color as OpenGL wants it: the sRGB levels divided by 255, not linearized (book.frag says why).
 #pragma once
 
 #include <array>

@@ -199,7 +199,7 @@ TextLayout TextPainter::lay_out(const Label& label, const View& view, int width,
 void TextPainter::draw(const TextLayout& layout, const Rect& clip, Image& picture) {
   const Rect area = intersection(layout.bounds, clip);
   if (area.empty()) return;
-  // Rims of neighbours overlap: gathered first, so that no rim darkens twice and none lies on a letter.
+  // Rims of neighbors overlap: gathered first, so that no rim darkens twice and none lies on a letter.
   const std::size_t size = index(0, area.height, area.width);
   std::vector<std::uint8_t> rim(size), cover(size);
   for (const TextLayout::Place& place : layout.glyphs) {

@@ -35,7 +35,7 @@ struct ViewSetup {
 
 // What can be drawn with a book, beside the book itself, in this order; how: film/overlays.cpp.
 enum class Overlay {
-  axes,              // body axes, labelled x, y, z
+  axes,              // body axes, labeled x, y, z
   angular_velocity,  // arrow
   angular_momentum,  // arrow
   trace,             // the path of the tip of the spin axis (the one that tilt is measured of), fading with age

@@ -23,7 +23,7 @@ constexpr auto y_r = static_cast<std::uint16_t>(round_to_int(0.2126 * luma_range
 constexpr auto y_g = static_cast<std::uint16_t>(round_to_int(0.7152 * luma_range));
 constexpr auto y_b = static_cast<std::uint16_t>(round_to_int(0.0722 * luma_range));
 
-// Each chroma row sums to 0, so that greys stay exactly grey.
+// Each chroma row sums to 0, so that grays stay exactly gray.
 constexpr auto cb_r = static_cast<std::int16_t>(round_to_int(-0.2126 / 1.8556 * chroma_range));
 constexpr auto cb_b = static_cast<std::int16_t>(round_to_int(0.5 * chroma_range));
 constexpr auto cb_g = static_cast<std::int16_t>(-cb_r - cb_b);

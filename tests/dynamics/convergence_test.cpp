@@ -66,7 +66,7 @@ Eigen::Quaterniond of_quaternion(const QuaternionBook& book) {
   return book.q_WB();
 }
 
-TEST(Convergence, of_the_matrix_is_of_first_order) {
+TEST(Convergence, OfTheMatrixIsOfFirstOrder) {
   const auto error = [](int n) { return error_of<MatrixBook>(MatrixBook(reference_book()), n, of_matrix); };
   const double coarse = error(100);
   const double fine = error(200);
@@ -74,7 +74,7 @@ TEST(Convergence, of_the_matrix_is_of_first_order) {
   EXPECT_NEAR(std::log2(coarse / fine), 1.0, tolerance(0.05));  // measured: 0.014
 }
 
-TEST(Convergence, of_the_quaternion_is_of_first_order) {
+TEST(Convergence, OfTheQuaternionIsOfFirstOrder) {
   const auto error = [](int n) { return error_of<QuaternionBook>(QuaternionBook(reference_book()), n, of_quaternion); };
   const double coarse = error(100);
   const double fine = error(200);
@@ -83,7 +83,7 @@ TEST(Convergence, of_the_quaternion_is_of_first_order) {
 }
 
 // The corners of the unnormalized methods converge as well, while they are still close to a rotation.
-TEST(Convergence, of_the_unnormalized_methods_is_of_first_order) {
+TEST(Convergence, OfTheUnnormalizedMethodsIsOfFirstOrder) {
   BookOptions o = reference_book();
   o.normalize_every = 0;
   const Corners rest = body_of(o).corners_B;
@@ -126,7 +126,7 @@ BookOptions unstable_start(double omega) {
   return o;
 }
 
-TEST(IntermediateAxis, growth_rate_is_that_of_theory_for_every_method) {
+TEST(IntermediateAxis, GrowthRateIsThatOfTheoryForEveryMethod) {
   const BookOptions o = unstable_start(0.11482);
   const double sigma = theory(0.11482, body_of(o).I_B);
   EXPECT_NEAR(sigma, sigma_of_the_original, 5e-5);  // the printed digits
@@ -149,7 +149,7 @@ TEST(IntermediateAxis, growth_rate_is_that_of_theory_for_every_method) {
 }
 
 // About the other two axes there is no growth: cosh becomes cos, and the off-axis part stays as small as it was.
-TEST(StableAxes, keep_a_small_error_of_aim_small) {
+TEST(StableAxes, KeepASmallErrorOfAimSmall) {
   for (const int axis : {1, 2}) {
     BookOptions o;
     o.omega_W = 0.1 * (Eigen::Vector3d::Unit(axis) + Eigen::Vector3d(1e-4, 1e-4, 1e-4));

@@ -102,7 +102,7 @@ TEST(Integrators, ABookWithoutSuchAStepIsNotMade) {
 
 class RigidOrder : public testing::TestWithParam<OrderCase> {};
 
-TEST_P(RigidOrder, is_as_promised) {
+TEST_P(RigidOrder, IsAsPromised) {
   const OrderCase& c = GetParam();
   const BookOptions o = tumbling(c.integrator);
   const double coarse = errors_of(o, 60.0, c.steps).angle;
@@ -113,7 +113,7 @@ TEST_P(RigidOrder, is_as_promised) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, RigidOrder, testing::ValuesIn(rigid_cases), name_of_case);
 
-TEST(RigidInvariants, angular_momentum_and_energy) {
+TEST(RigidInvariants, AngularMomentumAndEnergy) {
   struct Kept {
     Integrator integrator;
     double L_W, energy;
@@ -131,7 +131,7 @@ TEST(RigidInvariants, angular_momentum_and_energy) {
 }
 
 // The splitting's energy swings and does not drift; RK4's drifts.
-TEST(RigidInvariants, energy_of_the_splitting_does_not_drift) {
+TEST(RigidInvariants, EnergyOfTheSplittingDoesNotDrift) {
   const double once = errors_of(tumbling(Integrator::splitting2), 60.0, 300).energy;
   const double long_after = errors_of(tumbling(Integrator::splitting2), 60000.0, 300000).energy;
   EXPECT_LE(long_after / once, tolerance(1.1));  // measured: 0.992
@@ -141,7 +141,7 @@ TEST(RigidInvariants, energy_of_the_splitting_does_not_drift) {
 }
 
 // The moments that dmv10 steps with reproduce the literature's first correction.
-TEST(StepMoments, begin_as_hairer_and_vilmart_print_them) {
+TEST(StepMoments, BeginAsHairerAndVilmartPrintThem) {
   const Vector3d I(1.3, 2.1, 2.9);
   const Vector3d L(0.4, -0.7, 0.9);
   const double C = 0.5 * L.squaredNorm();
@@ -158,7 +158,7 @@ TEST(StepMoments, begin_as_hairer_and_vilmart_print_them) {
 }
 
 // A DMV step within its reach (rigid_steps.h) is taken; beyond pi / 2 there is no solution, and that is said with NaN.
-TEST(DiscreteMoserVeselov, says_where_it_ends) {
+TEST(DiscreteMoserVeselov, SaysWhereItEnds) {
   struct Reach {
     Integrator integrator;
     double least;  // h |omega|
@@ -192,7 +192,7 @@ TEST(DiscreteMoserVeselov, says_where_it_ends) {
 }
 
 // A kick of 1e-15 keeps its digits: the flip comes when it should.
-TEST(FreeBookState, remembers_a_kick_below_rounding) {
+TEST(FreeBookState, RemembersAKickBelowRounding) {
   for (const Integrator i : {Integrator::rk4, Integrator::splitting4, Integrator::dmv10}) {
     BookOptions o;
     o.integrator = i;
@@ -253,7 +253,7 @@ SpringErrors spring_errors(Integrator integrator, std::size_t samples, int steps
 class SpringOrder : public testing::TestWithParam<OrderCase> {};
 
 // Semi-implicit Euler from springs at rest is Verlet with its velocities half a step off: only they are of order 1.
-TEST_P(SpringOrder, is_as_promised) {
+TEST_P(SpringOrder, IsAsPromised) {
   const OrderCase& c = GetParam();
   ASSERT_EQ(spring_samples().size(), 60U);
   const SpringErrors coarse = spring_errors(c.integrator, 3, c.steps);
@@ -264,13 +264,13 @@ TEST_P(SpringOrder, is_as_promised) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, SpringOrder, testing::ValuesIn(spring_cases), name_of_case);
 
-TEST(Springs, the_composition_follows_the_reference_to_its_end) {
+TEST(Springs, TheCompositionFollowsTheReferenceToItsEnd) {
   const SpringErrors e = spring_errors(Integrator::composition8, 60, 128);
   EXPECT_LE(e.x, tolerance(3e-6));  // measured: 1.1e-6
   EXPECT_LE(e.v, tolerance(3e-6));  // measured: 1.0e-6
 }
 
-TEST(Springs, symplectic_methods_keep_energy_and_angular_momentum) {
+TEST(Springs, SymplecticMethodsKeepEnergyAndAngularMomentum) {
   struct Kept {
     Integrator integrator;
     double h, energy;
@@ -292,7 +292,7 @@ TEST(Springs, symplectic_methods_keep_energy_and_angular_momentum) {
 }
 
 // With damping, the methods that may have it agree in the limit: the damped book comes to a rigid spin.
-TEST(Springs, damped_methods_agree_in_the_limit) {
+TEST(Springs, DampedMethodsAgreeInTheLimit) {
   const auto end_of = [](Integrator integrator, double h) {
     BookOptions o = reference_springs(integrator);
     o.damping = 1.0;
@@ -309,7 +309,7 @@ TEST(Springs, damped_methods_agree_in_the_limit) {
 }
 
 // The paper's explicit Euler and the new methods have one limit.
-TEST(Rigid, all_methods_agree_in_the_limit) {
+TEST(Rigid, AllMethodsAgreeInTheLimit) {
   const auto orientation = [](Integrator integrator, double h) {
     FreeBook book(tumbling(integrator));
     for (int n = 0; n < static_cast<int>(std::lround(5.0 / h)); ++n) book.step(h);

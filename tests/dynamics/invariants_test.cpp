@@ -21,7 +21,7 @@ Eigen::Vector3d torque(const Corners& x, const Corners& F) {
 
 // Measured: 3.8e-16 of the largest force, 2.9e-16 of the largest force times distance; damped and undamped, at random
 // states.
-TEST(SpringForces, sum_to_zero_and_turn_nothing) {
+TEST(SpringForces, SumToZeroAndTurnNothing) {
   for (std::uint64_t start = 1; start <= 40; ++start) {
     BookOptions o = random_options(start);
     if (start % 2 == 0) o.damping = 0.0;
@@ -36,7 +36,7 @@ TEST(SpringForces, sum_to_zero_and_turn_nothing) {
 }
 
 // Undamped forces are minus the gradient of the elastic energy: central differences of both, error O(d^2) and rounding.
-TEST(SpringForces, are_minus_the_gradient_of_the_elastic_energy) {
+TEST(SpringForces, AreMinusTheGradientOfTheElasticEnergy) {
   for (std::uint64_t start = 1; start <= 10; ++start) {
     BookOptions o = random_options(start);
     o.damping = 0.0;
@@ -60,7 +60,7 @@ TEST(SpringForces, are_minus_the_gradient_of_the_elastic_energy) {
 }
 
 // Damping never gives energy: what it takes is c times the squared rate of change of every length.
-TEST(SpringForces, damping_takes_c_times_the_squared_rate_of_every_length) {
+TEST(SpringForces, DampingTakesCTimesTheSquaredRateOfEveryLength) {
   for (std::uint64_t start = 1; start <= 10; ++start) {
     const BookOptions damped = random_options(start);
     BookOptions undamped = damped;
@@ -84,7 +84,7 @@ TEST(SpringForces, damping_takes_c_times_the_squared_rate_of_every_length) {
 }
 
 // A rigid motion, any translation and rotation, stretches no spring: no force, damped or not, and no energy.
-TEST(SpringForces, feel_no_rigid_motion) {
+TEST(SpringForces, FeelNoRigidMotion) {
   for (std::uint64_t start = 1; start <= 10; ++start) {
     const BookOptions o = random_options(start);
     Dice dice(4000 + start);
@@ -104,7 +104,7 @@ TEST(SpringForces, feel_no_rigid_motion) {
 
 // Momentum and, since x and v change by parallel amounts, angular momentum: explicit Euler changes L only by
 // h^2 sum m (v x F / m), exactly. Checked step by step, unnormalized.
-TEST(SpringSteps, keep_momentum_and_change_angular_momentum_only_by_second_order) {
+TEST(SpringSteps, KeepMomentumAndChangeAngularMomentumOnlyBySecondOrder) {
   for (std::uint64_t start = 1; start <= 10; ++start) {
     BookOptions o = random_options(start);
     o.normalize_every = 0;
@@ -127,7 +127,7 @@ TEST(SpringSteps, keep_momentum_and_change_angular_momentum_only_by_second_order
 
 // Explicit Euler feeds a rigid rotation: one undamped, unnormalized step from rest keeps the kinetic and adds elastic
 // energy.
-TEST(SpringSteps, gain_energy_without_normalization) {
+TEST(SpringSteps, GainEnergyWithoutNormalization) {
   BookOptions o;
   o.omega_W = Eigen::Vector3d(0.3, 0.1, 0.7);
   o.normalize_every = 0;
@@ -141,7 +141,7 @@ TEST(SpringSteps, gain_energy_without_normalization) {
 
 // L is an input of the rigid methods; energy and orientation are theirs to get wrong. The energy error is of first
 // order, so the rotation itself must stay one to rounding: R^T R = 1, det R = 1, |q| = 1.
-TEST(RigidSteps, stay_rotations_when_normalized) {
+TEST(RigidSteps, StayRotationsWhenNormalized) {
   for (std::uint64_t start = 1; start <= 10; ++start) {
     const BookOptions o = random_options(start);
     MatrixBook matrix(o);
@@ -162,7 +162,7 @@ TEST(RigidSteps, stay_rotations_when_normalized) {
 
 // One step from a rotation multiplies R by 1 + h [omega]x, whose singular values are 1 and twice sqrt(1 + h^2 omega^2):
 // det grows by 1 + h^2 omega^2 exactly.
-TEST(RigidSteps, matrix_grows_by_h_omega_squared) {
+TEST(RigidSteps, MatrixGrowsByHOmegaSquared) {
   BookOptions o = random_options(12);
   o.normalize_every = 0;
   MatrixBook book(o);

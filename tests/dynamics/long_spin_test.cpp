@@ -17,7 +17,7 @@ namespace {
 #ifdef NDEBUG
 constexpr int many = 100000;
 #else
-constexpr int many = 1000;  // unoptimised, or under a sanitizer
+constexpr int many = 1000;  // unoptimized, or under a sanitizer
 #endif
 
 struct LongSpin {
@@ -56,7 +56,7 @@ BookOptions spin(int axis, double omega, Integrator integrator) {
 
 class RigidLongSpin : public testing::TestWithParam<LongSpin> {};
 
-TEST_P(RigidLongSpin, stays) {
+TEST_P(RigidLongSpin, Stays) {
   for (const int axis : {1, 2}) {
     BookOptions o = spin(axis, 1.0, GetParam().integrator);
     o.normalize_every = 1;
@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
 // radian about Z.
 class SpringLongSpin : public testing::TestWithParam<LongSpin> {};
 
-TEST_P(SpringLongSpin, stays) {
+TEST_P(SpringLongSpin, Stays) {
   for (const int axis : {1, 2}) {
     const BookOptions o = spin(axis, 1.0, GetParam().integrator);
     const Corners rest = body_of(o).corners_B;
@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, SpringLongSpin,
                          name_of);
 
 // No steps, no creeping: after 100,000 turns as on the first.
-TEST(ExactLongSpin, stays) {
+TEST(ExactLongSpin, Stays) {
   for (const int axis : {1, 2}) {
     ExactBook book(spin(axis, 1.0, Integrator::explicit_euler));
     const Eigen::Vector3d L_W = book.angular_momentum_W();

@@ -71,7 +71,7 @@ double relative_difference(const Eigen::Matrix3d& a, const Matrix& b) {
 class EveryStep : public testing::TestWithParam<Mode> {};
 
 // Measured: at most 2.9e-14 in all modes, steps and starts.
-TEST_P(EveryStep, of_the_springs_is_the_papers) {
+TEST_P(EveryStep, OfTheSpringsIsThePapers) {
   double worst = 0.0;
   for (int start = 1; start <= starts; ++start) {
     const BookOptions options = options_of(GetParam(), start);
@@ -92,7 +92,7 @@ TEST_P(EveryStep, of_the_springs_is_the_papers) {
 }
 
 // Measured: at most 8.7e-15.
-TEST_P(EveryStep, of_the_matrix_is_the_papers) {
+TEST_P(EveryStep, OfTheMatrixIsThePapers) {
   double worst = 0.0;
   for (int start = 1; start <= starts; ++start) {
     const BookOptions options = options_of(GetParam(), start);
@@ -108,7 +108,7 @@ TEST_P(EveryStep, of_the_matrix_is_the_papers) {
 }
 
 // Measured: at most 2.8e-15.
-TEST_P(EveryStep, of_the_quaternion_is_the_papers) {
+TEST_P(EveryStep, OfTheQuaternionIsThePapers) {
   double worst = 0.0;
   for (int start = 1; start <= starts; ++start) {
     const BookOptions options = options_of(GetParam(), start);
@@ -128,7 +128,7 @@ TEST_P(EveryStep, of_the_quaternion_is_the_papers) {
 INSTANTIATE_TEST_SUITE_P(Modes, EveryStep, testing::ValuesIn(modes), mode_name);
 
 // A soft book that vibrates: its springs hold more than 0.9 E0, where the printed root would be of a negative number.
-TEST(EnergyFloor, bites_as_in_the_naive_formulation) {
+TEST(EnergyFloor, BitesAsInTheNaiveFormulation) {
   BookOptions options;
   options.omega_W = Eigen::Vector3d(1.0, 0.3, 0.2);
   options.damping = 0.0;
@@ -156,7 +156,7 @@ TEST(EnergyFloor, bites_as_in_the_naive_formulation) {
 }
 
 // Neither the naive nor the room's own formulation has a direction for two particles in one place.
-TEST(Coincident, particles_pull_each_other_nowhere) {
+TEST(Coincident, ParticlesPullEachOtherNowhere) {
   const BookOptions options = random_options(3);
   const SpringBook book(options);
   NaiveSprings naive(options);
@@ -193,7 +193,7 @@ TEST(Coincident, particles_pull_each_other_nowhere) {
 }
 
 // At rest there is no energy to keep: a still book stays still, and nothing is divided by zero.
-TEST(StillBook, stays_where_it_is) {
+TEST(StillBook, StaysWhereItIs) {
   const BookOptions options;
   SpringBook springs(options);
   MatrixBook matrix(options);

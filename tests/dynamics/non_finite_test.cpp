@@ -45,7 +45,7 @@ int explode(Book book, const BookOptions& o, double h, int steps) {
   return when;
 }
 
-TEST(Explosion, of_unnormalized_books_ends_in_no_number_and_stays_there) {
+TEST(Explosion, OfUnnormalizedBooksEndsInNoNumberAndStaysThere) {
   BookOptions o = random_options(1);
   o.normalize_every = 0;
   EXPECT_GT(explode(SpringBook(o), o, 0.5, 5000), 0);
@@ -56,7 +56,7 @@ TEST(Explosion, of_unnormalized_books_ends_in_no_number_and_stays_there) {
 }
 
 // Normalization far beyond every stability limit: no claim but that it ends, and rigid books stay rotations.
-TEST(Explosion, of_normalized_books_does_not_crash) {
+TEST(Explosion, OfNormalizedBooksDoesNotCrash) {
   for (const double h : {10.0, 1e8, 1e154, 1e300, 1.7e308}) {
     const BookOptions o = random_options(2);
     (void)explode(SpringBook(o), o, h, 300);
@@ -66,7 +66,7 @@ TEST(Explosion, of_normalized_books_does_not_crash) {
 }
 
 // A matrix that one step has grown by 1e8 and more becomes a rotation again, by the SVD; so does the quaternion.
-TEST(Explosion, normalization_brings_back_a_state_grown_by_any_finite_factor) {
+TEST(Explosion, NormalizationBringsBackAStateGrownByAnyFiniteFactor) {
   for (const double h : {1e8, 1e154, 1e300}) {
     const BookOptions o = random_options(2);
     MatrixBook matrix(o);
@@ -82,7 +82,7 @@ TEST(Explosion, normalization_brings_back_a_state_grown_by_any_finite_factor) {
   }
 }
 
-TEST(NoNumber, in_the_start_stays_no_number) {
+TEST(NoNumber, InTheStartStaysNoNumber) {
   for (const double bad : {nan, infinite}) {
     for (const bool normalize : {true, false}) {
       BookOptions o = random_options(3);
@@ -107,7 +107,7 @@ TEST(NoNumber, in_the_start_stays_no_number) {
   }
 }
 
-TEST(NoNumber, in_the_step_makes_no_number) {
+TEST(NoNumber, InTheStepMakesNoNumber) {
   const BookOptions o = random_options(4);
   SpringBook springs(o);
   MatrixBook matrix(o);
@@ -120,7 +120,7 @@ TEST(NoNumber, in_the_step_makes_no_number) {
   EXPECT_FALSE(quaternion.corners_W().allFinite());
 }
 
-TEST(NoNumber, in_the_forces_arguments_is_no_crash) {
+TEST(NoNumber, InTheForcesArgumentsIsNoCrash) {
   const SpringBook book(random_options(5));
   Corners x = book.corners_W();
   x(0, 3) = nan;

@@ -23,7 +23,7 @@ double relative(const A& a, const B& b) {
   return (a - b).norm() / b.norm();
 }
 
-TEST(Original, book_has_its_size_and_corners) {
+TEST(Original, BookHasItsSizeAndCorners) {
   const BookOptions options;
   EXPECT_EQ(options.size, Eigen::Vector3d(1.878, 2.9085, 0.5));
   const Corners corners = body_of(options).corners_B;
@@ -37,7 +37,7 @@ TEST(Original, book_has_its_size_and_corners) {
   EXPECT_EQ(corners, expected);
 }
 
-TEST(Original, springs_have_its_constants) {
+TEST(Original, SpringsHaveItsConstants) {
   const BookOptions options;
   EXPECT_EQ(options.stiffness, 10.0);
   EXPECT_EQ(options.particle_mass, 1.0);
@@ -47,7 +47,7 @@ TEST(Original, springs_have_its_constants) {
 
 // The original's inertia (b^2 + c^2, ...) is half that of the eight unit masses; its angular momenta give the table's
 // speeds.
-TEST(Original, angular_speeds_follow_from_its_angular_momenta) {
+TEST(Original, AngularSpeedsFollowFromItsAngularMomenta) {
   const Eigen::Vector3d I_original = body_of(BookOptions{}).I_B / 2.0;
   EXPECT_NEAR(1.0 / I_original.x(), 0.11482, 5e-6);  // the table's rounding
   EXPECT_NEAR(0.5 / I_original.y(), 0.13238, 5e-6);
@@ -58,7 +58,7 @@ TEST(Original, angular_speeds_follow_from_its_angular_momenta) {
 }
 
 // Eight masses and the solid cuboid of the same mass: moments in the ratio 3 to 1 about every axis. Measured: 1.5e-16.
-TEST(Inertia, is_three_times_that_of_the_solid_cuboid) {
+TEST(Inertia, IsThreeTimesThatOfTheSolidCuboid) {
   for (std::uint64_t start = 1; start <= 10; ++start) {
     const BookOptions o = random_options(start);
     const double M = 8.0 * o.particle_mass;
@@ -80,7 +80,7 @@ TEST(Inertia, is_three_times_that_of_the_solid_cuboid) {
 }
 
 // A heavier book of the same shape and spin turns in the same way: moments matter only by their ratios. Measured: 0.
-TEST(Inertia, does_not_matter_by_its_scale) {
+TEST(Inertia, DoesNotMatterByItsScale) {
   BookOptions light = random_options(4);
   BookOptions heavy = light;
   heavy.particle_mass = 64.0 * light.particle_mass;
@@ -93,7 +93,7 @@ TEST(Inertia, does_not_matter_by_its_scale) {
   EXPECT_LE((a.R_WB() - b.R_WB()).cwiseAbs().maxCoeff(), tolerance(1e-13));
 }
 
-TEST(Start, is_one_rigid_rotation_for_every_method) {
+TEST(Start, IsOneRigidRotationForEveryMethod) {
   for (std::uint64_t start = 1; start <= 10; ++start) {
     const BookOptions o = random_options(start);
     const SpringBook springs(o);
@@ -118,7 +118,7 @@ TEST(Start, is_one_rigid_rotation_for_every_method) {
 // The first step by hand: forces from the old state, x moved with the old v, v with the old forces. At rest and rigidly
 // turning the springs pull nothing, so that v does not change; symplectic Euler would do the same here, so take two
 // steps.
-TEST(Order, positions_move_with_the_old_velocities_and_forces_come_from_the_old_state) {
+TEST(Order, PositionsMoveWithTheOldVelocitiesAndForcesComeFromTheOldState) {
   BookOptions o = random_options(7);
   o.normalize_every = 0;
   SpringBook book(o);
@@ -140,7 +140,7 @@ TEST(Order, positions_move_with_the_old_velocities_and_forces_come_from_the_old_
 }
 
 // normalize_every = n: steps 1 ... n - 1 are plain, the n-th is normalized.
-TEST(NormalizeEvery, touches_every_nth_step_only) {
+TEST(NormalizeEvery, TouchesEveryNthStepOnly) {
   BookOptions often = random_options(8);
   often.normalize_every = 3;
   BookOptions never = often;
@@ -169,8 +169,8 @@ TEST(NormalizeEvery, touches_every_nth_step_only) {
   EXPECT_NEAR(quaternion.q_WB().norm(), 1.0, tolerance(1e-15));
 }
 
-// Drift: rounding gives the book a velocity, which without normalization carries its centre away.
-TEST(Drift, is_removed_from_positions_and_velocities) {
+// Drift: rounding gives the book a velocity, which without normalization carries its center away.
+TEST(Drift, IsRemovedFromPositionsAndVelocities) {
   BookOptions o;
   o.omega_W = Eigen::Vector3d(0.03, 0.02, 0.05);
   BookOptions drifting = o;
@@ -181,14 +181,14 @@ TEST(Drift, is_removed_from_positions_and_velocities) {
     book.step(0.01);
     drifter.step(0.01);
   }
-  const auto off_centre = [](const Corners& corners) { return corners.rowwise().mean().cwiseAbs().maxCoeff(); };
-  EXPECT_LE(off_centre(book.corners_W()), tolerance(1e-15));     // measured: 5.6e-17
-  EXPECT_LE(off_centre(book.velocities_W()), tolerance(1e-16));  // measured: 8.7e-19
-  EXPECT_GE(off_centre(drifter.corners_W()), 1e-14);             // found: 6e-13
+  const auto off_center = [](const Corners& corners) { return corners.rowwise().mean().cwiseAbs().maxCoeff(); };
+  EXPECT_LE(off_center(book.corners_W()), tolerance(1e-15));     // measured: 5.6e-17
+  EXPECT_LE(off_center(book.velocities_W()), tolerance(1e-16));  // measured: 8.7e-19
+  EXPECT_GE(off_center(drifter.corners_W()), 1e-14);             // found: 6e-13
 }
 
 // |q| = s: the book of the quaternion method is (1 - s^2) 1 + s^2 R(q / s), seen here after a drift of s past 1.2.
-TEST(Quaternion, of_norm_s_blends_the_book_with_its_unrotated_self) {
+TEST(Quaternion, OfNormSBlendsTheBookWithItsUnrotatedSelf) {
   for (std::uint64_t start = 1; start <= 10; ++start) {
     BookOptions o = random_options(start);
     o.normalize_every = 0;
@@ -211,7 +211,7 @@ TEST(Quaternion, of_norm_s_blends_the_book_with_its_unrotated_self) {
 
 // One unnormalized step turns q into q (or omega q / 2), whose square grows by h^2 omega^2 / 4: exactly, for any q of
 // norm 1.
-TEST(Quaternion, grows_by_a_quarter_of_h_omega_squared) {
+TEST(Quaternion, GrowsByAQuarterOfHOmegaSquared) {
   BookOptions o = random_options(9);
   o.normalize_every = 0;
   QuaternionBook book(o);
@@ -223,7 +223,7 @@ TEST(Quaternion, grows_by_a_quarter_of_h_omega_squared) {
 // omega in world axes multiplies from the left. From a general orientation the two products move the corners
 // differently, and only omega q / 2 moves them as omega x r does. Central difference of two short steps' worth of
 // rotation, error O(h^2).
-TEST(Quaternion, rate_is_omega_q_in_world_axes) {
+TEST(Quaternion, RateIsOmegaQInWorldAxes) {
   BookOptions o = random_options(10);
   QuaternionBook book(o);
   for (int n = 0; n < 200; ++n) book.step(0.05);
@@ -242,7 +242,7 @@ TEST(Quaternion, rate_is_omega_q_in_world_axes) {
 }
 
 // The printed equation is right for omega in body axes: q omega_B = omega_W q. Measured: 4.4e-16.
-TEST(Quaternion, printed_equation_holds_in_body_axes) {
+TEST(Quaternion, PrintedEquationHoldsInBodyAxes) {
   Dice dice(11);
   for (int n = 0; n < 20; ++n) {
     const Eigen::Quaterniond q = dice.rotation();
@@ -256,7 +256,7 @@ TEST(Quaternion, printed_equation_holds_in_body_axes) {
 
 // With h = 0.1 damped springs are unstable, with six substeps they are stable: the fastest mode's damping sets the
 // limit.
-TEST(Original, one_substep_explodes_and_six_do_not) {
+TEST(Original, OneSubstepExplodesAndSixDoNot) {
   BookOptions o;
   o.omega_W = Eigen::Vector3d(0.0, 0.0, 0.08343);
   o.normalize_every = 0;

@@ -42,7 +42,7 @@ void expect_best(const Corners& x, Dice& dice) {
   }
 }
 
-TEST(BestFit, finds_a_rotation_again_wherever_the_book_is) {
+TEST(BestFit, FindsARotationAgainWhereverTheBookIs) {
   Dice dice(1);
   double worst = 0.0;
   for (int n = 0; n < 200; ++n) {
@@ -53,7 +53,7 @@ TEST(BestFit, finds_a_rotation_again_wherever_the_book_is) {
   EXPECT_LE(worst, tolerance(1e-13));  // measured: 1e-15
 }
 
-TEST(BestFit, finds_half_turns_again) {
+TEST(BestFit, FindsHalfTurnsAgain) {
   for (int d = 0; d < 3; ++d) {
     const Eigen::Quaterniond q(Eigen::AngleAxisd(pi, Eigen::Vector3d::Unit(d)));
     EXPECT_LE(geodesic_angle(best_fit_orientation(q.toRotationMatrix() * rest, rest), q),
@@ -61,7 +61,7 @@ TEST(BestFit, finds_half_turns_again) {
   }
 }
 
-TEST(BestFit, is_best_for_noisy_corners) {
+TEST(BestFit, IsBestForNoisyCorners) {
   Dice dice(2);
   for (const double noise : {1e-3, 0.1, 1.0}) {
     const Eigen::Quaterniond q = dice.rotation();
@@ -73,7 +73,7 @@ TEST(BestFit, is_best_for_noisy_corners) {
   }
 }
 
-TEST(BestFit, of_a_mirrored_book_is_a_rotation_and_the_best) {
+TEST(BestFit, OfAMirroredBookIsARotationAndTheBest) {
   Dice dice(3);
   for (int d = 0; d < 3; ++d) {
     Corners mirrored = rest;
@@ -85,7 +85,7 @@ TEST(BestFit, of_a_mirrored_book_is_a_rotation_and_the_best) {
   }
 }
 
-TEST(BestFit, of_a_flattened_book_is_the_best) {
+TEST(BestFit, OfAFlattenedBookIsTheBest) {
   Dice dice(4);
   for (int d = 0; d < 3; ++d) {  // two dimensions left: the rotation is still unique
     Corners flat = rest;
@@ -101,7 +101,7 @@ TEST(BestFit, of_a_flattened_book_is_the_best) {
   }
 }
 
-TEST(BestFit, of_a_point_or_of_no_numbers_is_the_identity) {
+TEST(BestFit, OfAPointOrOfNoNumbersIsTheIdentity) {
   Corners broken = rest;
   EXPECT_EQ(best_fit_orientation(Corners::Zero(), rest).coeffs(), Eigen::Quaterniond::Identity().coeffs());
   for (const double bad : {nan, infinite, -infinite}) {
@@ -111,7 +111,7 @@ TEST(BestFit, of_a_point_or_of_no_numbers_is_the_identity) {
 }
 
 // A book grown by 1e8 or 1e300, or collapsed to 1e-300, still has its orientation.
-TEST(BestFit, does_not_mind_the_size_of_the_book) {
+TEST(BestFit, DoesNotMindTheSizeOfTheBook) {
   Dice dice(5);
   for (const double factor : {1e8, 1e150, 1e300, 1e-8, 1e-150, 1e-300}) {
     const Eigen::Quaterniond q = dice.rotation();
@@ -120,7 +120,7 @@ TEST(BestFit, does_not_mind_the_size_of_the_book) {
   }
 }
 
-TEST(Deformation, of_a_linear_image_is_that_linear_map) {
+TEST(Deformation, OfALinearImageIsThatLinearMap) {
   Dice dice(6);
   for (int n = 0; n < 50; ++n) {
     Eigen::Matrix3d F;
@@ -131,7 +131,7 @@ TEST(Deformation, of_a_linear_image_is_that_linear_map) {
 }
 
 // The least-squares map: what is left over is orthogonal to the corners at rest.
-TEST(Deformation, of_any_corners_is_the_least_squares_map) {
+TEST(Deformation, OfAnyCornersIsTheLeastSquaresMap) {
   Dice dice(7);
   for (int n = 0; n < 50; ++n) {
     const Corners x = dice.corners(2.0);
@@ -140,7 +140,7 @@ TEST(Deformation, of_any_corners_is_the_least_squares_map) {
   }
 }
 
-TEST(Stretch, is_the_largest_relative_change_of_a_distance) {
+TEST(Stretch, IsTheLargestRelativeChangeOfADistance) {
   Dice dice(8);
   const Corners moved = (dice.rotation().toRotationMatrix() * rest).colwise() + dice.vector(3.0);
   EXPECT_LE(stretch(moved, rest), tolerance(1e-14));                 // measured: 4.4e-16
@@ -157,7 +157,7 @@ TEST(Stretch, is_the_largest_relative_change_of_a_distance) {
   }
 }
 
-TEST(Extent, is_the_farthest_corner_in_half_diagonals) {
+TEST(Extent, IsTheFarthestCornerInHalfDiagonals) {
   EXPECT_EQ(extent(rest, rest), 1.0);
   EXPECT_NEAR(extent(3.0 * rest, rest), 3.0, tolerance(1e-14));  // measured: 0
   Corners one_away = rest;
@@ -169,7 +169,7 @@ TEST(Extent, is_the_farthest_corner_in_half_diagonals) {
   EXPECT_TRUE(std::isnan(extent(one_away, rest)));
 }
 
-TEST(GeodesicAngle, is_accurate_from_0_to_pi) {
+TEST(GeodesicAngle, IsAccurateFrom0ToPi) {
   Dice dice(9);
   for (const double angle : {0.0, 1e-300, 1e-15, 1e-8, 1e-3, 1.0, 3.0, pi - 1e-3, pi - 1e-8, pi - 1e-15, pi}) {
     const Eigen::Vector3d axis = dice.vector(1.0).normalized();
@@ -190,7 +190,7 @@ TEST(GeodesicAngle, is_accurate_from_0_to_pi) {
   }
 }
 
-TEST(AngleBetween, is_accurate_from_0_to_pi) {
+TEST(AngleBetween, IsAccurateFrom0ToPi) {
   for (const double angle : {0.0, 1e-300, 1e-15, 1e-8, 1.0, pi - 1e-8, pi - 1e-15, pi}) {
     const Eigen::Vector3d turned(std::cos(angle), std::sin(angle), 0.0);
     EXPECT_NEAR(angle_between(Eigen::Vector3d(5.0, 0.0, 0.0), 0.1 * turned), angle,

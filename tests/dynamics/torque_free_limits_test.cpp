@@ -302,7 +302,7 @@ TEST(TorqueFreeLimits, BothFormsAtTheirSwitch) {
   expect_exact("around the switch of forms", worst);
 }
 
-TEST(TorqueFreeLimits, NeighboursAgreeAcrossEveryBranch) {
+TEST(TorqueFreeLimits, NeighborsAgreeAcrossEveryBranch) {
   // Starts a few last bits apart on both sides of a branch; their motions separate by that times the condition e^(sigma
   // t) <= 30.
   struct Pair {

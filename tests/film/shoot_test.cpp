@@ -120,9 +120,9 @@ TEST_F(Shoot, TheFilmShowsWhatWasDrawn) {
   for (const int frame : {0, 12, 23}) {
     const Image decoded = read_frame(site / "tumbling.mp4", frame);
     const double right = psnr(draw_frame(scene, frame, width, height, project), decoded);
-    EXPECT_GT(right, 30.0) << frame;  // measured 31.9 to 33.7 dB: at this size half resolution in colour costs most
-    const double neighbour = psnr(draw_frame(scene, frame == 0 ? 1 : frame - 1, width, height, project), decoded);
-    EXPECT_GT(right, neighbour + 6.0) << frame;  // measured 18.4 to 20.7 dB for the neighbour
+    EXPECT_GT(right, 30.0) << frame;  // measured 31.9 to 33.7 dB: at this size half resolution in color costs most
+    const double neighbor = psnr(draw_frame(scene, frame == 0 ? 1 : frame - 1, width, height, project), decoded);
+    EXPECT_GT(right, neighbor + 6.0) << frame;  // measured 18.4 to 20.7 dB for the neighbor
   }
 }
 

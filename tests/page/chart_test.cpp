@@ -47,7 +47,7 @@ TEST(Chart, PanelsAndTheirCurvesAreThoseAskedFor) {
   EXPECT_THROW(static_cast<void>(chart_of(as_read(film), "temperature")), std::invalid_argument);
 }
 
-TEST(Chart, BooksSideBySideKeepTheirColourAndName) {
+TEST(Chart, BooksSideBySideKeepTheirColorAndName) {
   json film = a_film();
   film["books"] = {a_book("springs", 20), a_book("exact", 20)};
   film["books"][0]["data"]["angle_error"] = film["books"][0]["data"]["tilt"];

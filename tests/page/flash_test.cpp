@@ -4,7 +4,7 @@
 // A general flash is a pair of opposing changes of relative luminance by 10 % or more, the darker state below 0.8.
 // Flashes count where together they cover a quarter of a field of view of 10 degrees, which for a film that fills a
 // screen is a third of its width and height. Measured here: the mean luminance of the whole picture and of tiles of a
-// sixth of its width and height, a quarter of such a field, each overlapping its neighbours by half. A tile changes by
+// sixth of its width and height, a quarter of such a field, each overlapping its neighbors by half. A tile changes by
 // 10 % only if its whole area does so on average. Saturated red, which has a rule of its own, is in no film.
 
 #include <gtest/gtest.h>

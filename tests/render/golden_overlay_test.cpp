@@ -11,7 +11,7 @@ namespace {
 
 constexpr Color red{230, 97, 60, 255}, green{92, 200, 160, 255}, blue{90, 160, 240, 255}, pale{236, 239, 244, 255};
 
-TEST(GoldenOverlay, LabelledAxes) {
+TEST(GoldenOverlay, LabeledAxes) {
   Shot shot = shot_of(book_at(25, 40, 0));
   shot.camera.eye_W = {0, 0, 9.5};
   const Corners& corners_W = shot.books[0].corners_W;

@@ -14,7 +14,7 @@ inline std::filesystem::path assets() {
 }
 
 // The paper's book, turned by angles in degrees about body y, then world x, then world z.
-inline Corners book_at(double about_x, double about_y, double about_z, const Eigen::Vector3d& centre_W = {0, 0, 0}) {
+inline Corners book_at(double about_x, double about_y, double about_z, const Eigen::Vector3d& center_W = {0, 0, 0}) {
   const auto turn = [](double degrees, const Eigen::Vector3d& axis) {
     return Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis);
   };
@@ -25,7 +25,7 @@ inline Corners book_at(double about_x, double about_y, double about_z, const Eig
   Corners corners_W;
   for (int i = 0; i < 8; ++i) {
     const Eigen::Vector3d sign((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-    corners_W.col(i) = centre_W + R_WB * (0.5 * sign.cwiseProduct(size));
+    corners_W.col(i) = center_W + R_WB * (0.5 * sign.cwiseProduct(size));
   }
   return corners_W;
 }

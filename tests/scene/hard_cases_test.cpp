@@ -150,7 +150,7 @@ std::string omega(double x, double y, double z) {
 }
 
 // Both sides of the separatrix and on it: a kick about y alone, about z alone, about both so that 2 E I_x = L^2.
-TEST(HardCases, separatrix) {
+TEST(HardCases, Separatrix) {
   const Eigen::Vector3d I = body_of(BookOptions{}).I_B;
   const double on = std::sqrt((I.x() - I.y()) * I.y() / ((I.z() - I.x()) * I.z()));  // omega_z / omega_y
   // On it, rounding alone decides when the book leaves the axis again, after some 60 units of time: look at 35.
@@ -179,7 +179,7 @@ TEST(HardCases, separatrix) {
 
 // Without a kick the intermediate axis is a steady rotation; no rigid method may leave it, and springs at most by
 // rounding.
-TEST(HardCases, zero_kick) {
+TEST(HardCases, ZeroKick) {
   for (const Way& way : ways()) {
     SCOPED_TRACE(way.name());
     const BookTrack track = run(way, "frames = 301, time_per_frame = 0.1, substeps = 20", omega(0.5, 0, 0));
@@ -189,7 +189,7 @@ TEST(HardCases, zero_kick) {
   }
 }
 
-TEST(HardCases, no_spin_at_all) {
+TEST(HardCases, NoSpinAtAll) {
   for (const Way& way : ways()) {
     SCOPED_TRACE(way.name());
     const BookTrack track = run(way, "frames = 11, time_per_frame = 0.1, substeps = 2", omega(0, 0, 0));
@@ -198,7 +198,7 @@ TEST(HardCases, no_spin_at_all) {
 }
 
 // Nearly symmetric, symmetric, cube, flat plate, rod, plate of aspect 1 : 1 : 1e-6, in a general tumble.
-TEST(HardCases, special_shapes) {
+TEST(HardCases, SpecialShapes) {
   for (const char* size : {"[1, 1.00000001, 2]", "[1, 1, 2]", "[1, 1, 1]", "[2, 3, 1e-6]", "[1, 1, 1e-6]",
                            "[1e-6, 1e-6, 1]", "[1e6, 1e6, 1]"}) {
     for (const Way& way : ways()) {
@@ -214,7 +214,7 @@ TEST(HardCases, special_shapes) {
 
 // h |omega| from near 1 past pi. A rigid method either explodes, or keeps what it promises to keep, or shows that it
 // does not.
-TEST(HardCases, high_spin) {
+TEST(HardCases, HighSpin) {
   for (const double h_omega : {0.9, 1.3, 1.5, 2.0, 3.0, 3.15, 7.0, 1000.0}) {
     for (const Eigen::Vector3d& axis :
          {Eigen::Vector3d(1, 1e-3, 1e-3), Eigen::Vector3d(0, 1, 0.1), Eigen::Vector3d(0.6, 0, 0.8)}) {
@@ -245,7 +245,7 @@ TEST(HardCases, high_spin) {
 }
 
 // Steps from far below to far above what explicit Euler bears; softest and stiffest springs.
-TEST(HardCases, springs_across_the_explicit_limit) {
+TEST(HardCases, SpringsAcrossTheExplicitLimit) {
   for (const double stiffness : {1e-3, 10.0, 1e6}) {
     for (const double h : {1e-3, 0.02, 0.05, 0.5, 5.0}) {
       for (const bool normalize : {false, true}) {
@@ -266,7 +266,7 @@ TEST(HardCases, springs_across_the_explicit_limit) {
 
 // So soft that, with steps so large, the springs come to hold more than the energy there was: the floor bites, and is
 // counted. Two of the undamped methods keep the energy too well for that.
-TEST(HardCases, potential_above_the_total_energy) {
+TEST(HardCases, PotentialAboveTheTotalEnergy) {
   for (const Way& way : ways()) {
     if (way.rigid()) continue;
     SCOPED_TRACE(way.name());
@@ -279,7 +279,7 @@ TEST(HardCases, potential_above_the_total_energy) {
 }
 
 // Particles in one place have no direction to be pulled in.
-TEST(HardCases, coincident_particles) {
+TEST(HardCases, CoincidentParticles) {
   const SpringBook book{BookOptions{}};
   const SpringForces f = book.forces(Corners::Zero(), Corners::Ones());
   EXPECT_EQ(f.F_W, Corners(Corners::Zero()));
@@ -287,7 +287,7 @@ TEST(HardCases, coincident_particles) {
 }
 
 // Without normalization: products of unit quaternions stay so to rounding, the others' norm is measured.
-TEST(HardCases, quaternion_norm_drift) {
+TEST(HardCases, QuaternionNormDrift) {
   for (const Way& way : ways()) {
     if (way.method != "quaternion") continue;
     SCOPED_TRACE(way.name());
@@ -305,7 +305,7 @@ TEST(HardCases, quaternion_norm_drift) {
 }
 
 // Extremes of mass, which the motion does not depend on.
-TEST(HardCases, tiny_and_huge_masses) {
+TEST(HardCases, TinyAndHugeMasses) {
   for (const char* mass : {"5e-324", "1e-300", "1e6"}) {
     for (const Way& way : ways()) {
       SCOPED_TRACE(way.name() + ' ' + mass);
@@ -316,7 +316,7 @@ TEST(HardCases, tiny_and_huge_masses) {
 }
 
 // The exact motion is the same however the film cuts its time, to the last bit.
-TEST(ExactMethod, does_not_accumulate) {
+TEST(ExactMethod, DoesNotAccumulate) {
   const Way exact{"exact", "", false};
   const BookTrack fine = run(exact, "frames = 1001, time_per_frame = 0.125, substeps = 6", omega(1, 1e-3, 0));
   const BookTrack coarse = run(exact, "frames = 101, time_per_frame = 1.25, substeps = 1", omega(1, 1e-3, 0));
@@ -325,7 +325,7 @@ TEST(ExactMethod, does_not_accumulate) {
 }
 
 // The springs' angle to the rigid motion: model and integration error together, and small while the springs are stiff.
-TEST(AngleError, of_springs_falls_with_their_stiffness) {
+TEST(AngleError, OfSpringsFallsWithTheirStiffness) {
   const auto error = [](double stiffness) {
     return largest_error(run(Way{"springs", "rk4", true}, "frames = 51, time_per_frame = 0.1, substeps = 20",
                              omega(0.5, 0.2, 0.1) + fmt::format("normalize = false\nstiffness = {}\n", stiffness)));

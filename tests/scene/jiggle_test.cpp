@@ -58,20 +58,20 @@ Eigen::Vector3d direction_of(std::uint64_t seed) {
   }
 }
 
-TEST(Twister, is_the_generator_of_the_standard) {
+TEST(Twister, IsTheGeneratorOfTheStandard) {
   Twister twister(5489);
   for (int n = 1; n < 10000; ++n) (void)twister.next();
   EXPECT_EQ(twister.next(), 9981545732273789042U);  // [rand.predef]
 }
 
-TEST(Jiggle, direction_is_that_of_a_second_implementation_to_the_last_bit) {
+TEST(Jiggle, DirectionIsThatOfASecondImplementationToTheLastBit) {
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
     EXPECT_EQ(jiggle_direction(seed), direction_of(seed)) << seed;
     EXPECT_NEAR(jiggle_direction(seed).norm(), 1.0, tolerance(1e-15));  // measured: 2.2e-16
   }
 }
 
-TEST(Jiggle, directions_are_pinned) {
+TEST(Jiggle, DirectionsArePinned) {
   EXPECT_EQ(jiggle_direction(1), Eigen::Vector3d(-0x1.152591e625cbfp-4, -0x1.f81522df1d8dfp-1, 0x1.4aedb7b4e2a11p-3));
   EXPECT_EQ(jiggle_direction(5), Eigen::Vector3d(-0x1.f42a9ea108684p-2, -0x1.b90860aa9db0dp-1, -0x1.1d727e129d3bap-3));
   EXPECT_EQ(jiggle_direction(2012), Eigen::Vector3d(0x1.c256d6a95e94dp-2, -0x1.5ebb29abd5bf8p-5, 0x1.cb4e5f47a6133p-1));
@@ -79,7 +79,7 @@ TEST(Jiggle, directions_are_pinned) {
 
 // No side of the sphere is preferred: the mean of 4000 directions is 0 within four standard deviations, 4 sqrt(1 / 3 /
 // 4000).
-TEST(Jiggle, directions_are_spread_evenly) {
+TEST(Jiggle, DirectionsAreSpreadEvenly) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::uint64_t seed = 0; seed < 4000; ++seed) sum += jiggle_direction(seed);
   EXPECT_LE((sum / 4000.0).cwiseAbs().maxCoeff(), tolerance(0.037));  // measured: 0.021
@@ -94,7 +94,7 @@ Scene three_methods(int seed, double jiggle) {
   return parse_scene(text, "s.toml");
 }
 
-TEST(Jiggle, is_one_vector_for_all_methods_relative_to_the_spin) {
+TEST(Jiggle, IsOneVectorForAllMethodsRelativeToTheSpin) {
   const Scene scene = three_methods(7, 0.25);
   const Trajectory trajectory = simulate(scene);
   const Eigen::Vector3d omega = Eigen::Vector3d(0.3, 0.4, 1.2) + 0.25 * 1.3 * jiggle_direction(7);
@@ -106,7 +106,7 @@ TEST(Jiggle, is_one_vector_for_all_methods_relative_to_the_spin) {
   }
 }
 
-TEST(Jiggle, changes_with_the_seed_and_only_when_asked_for) {
+TEST(Jiggle, ChangesWithTheSeedAndOnlyWhenAskedFor) {
   const auto L_of = [](int seed, double jiggle) {
     return simulate(three_methods(seed, jiggle)).books[1].frames[0].L_W;
   };

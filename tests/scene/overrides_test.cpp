@@ -23,7 +23,7 @@ Scene with(const std::vector<std::string>& overrides) {
   return parse_scene(small, "s.toml", overrides);
 }
 
-TEST(Overrides, reach_every_key_of_the_scene_the_clip_and_the_view) {
+TEST(Overrides, ReachEveryKeyOfTheSceneTheClipAndTheView) {
   const Scene scene = with({"title=Another title", "caption=\"with = and # and 'quotes'\"", "seed=77", "clip.frames=12",
                             "clip.fps=25", "clip.time_per_frame=0.25", "clip.substeps=60", "view.from=[1, 2, -3]"});
   EXPECT_EQ(scene.title, "Another title");
@@ -36,7 +36,7 @@ TEST(Overrides, reach_every_key_of_the_scene_the_clip_and_the_view) {
   EXPECT_EQ(scene.view.from, Eigen::Vector3d(1, 2, -3));
 }
 
-TEST(Overrides, reach_every_key_of_a_book) {
+TEST(Overrides, ReachEveryKeyOfABook) {
   const Scene scene = with({"book.1.name=left one", "book.1.method=quaternion", "book.1.integrator=explicit_euler",
                             "book.1.size=[2, 3, 0.25]", "book.1.angular_velocity=[0.5, -0.25, 1]", "book.1.jiggle=1e-3",
                             "book.1.normalize_every=7", "book.1.damping=0.5", "book.1.stiffness=20",
@@ -76,7 +76,7 @@ TEST(Normalization, IsEveryStepUnlessTheScriptSaysOtherwise) {
   EXPECT_EQ(every({"book.1.normalize_every=7", "book.1.normalize=false"}), 0);
 }
 
-TEST(Overrides, reach_every_key_of_an_expectation) {
+TEST(Overrides, ReachEveryKeyOfAnExpectation) {
   const Scene scene =
       with({"expect.0.says=new words", "expect.0.quantity=norm", "expect.0.book=1", "expect.0.frames=[3, 9]",
             "expect.0.at_least=-1", "expect.0.at_most=2.5", "expect.0.rises_to=3", "expect.0.falls_to=-4"});
@@ -95,7 +95,7 @@ TEST(Overrides, reach_every_key_of_an_expectation) {
   EXPECT_EQ(one_frame.last_frame, 4);
 }
 
-TEST(Overrides, reach_one_number_of_a_list_and_whole_tables) {
+TEST(Overrides, ReachOneNumberOfAListAndWholeTables) {
   EXPECT_EQ(with({"book.1.size.2=0.5"}).books[1].options.size, Eigen::Vector3d(1, 2, 0.5));
   const Clip clip = with({"clip={frames = 3, substeps = 2}"}).clip;
   EXPECT_EQ(clip.frames, 3);
@@ -105,19 +105,19 @@ TEST(Overrides, reach_one_number_of_a_list_and_whole_tables) {
   EXPECT_EQ(with({"book.1={name='b'}"}).books[1].options.size, BookOptions{}.size);
 }
 
-TEST(Overrides, take_bare_words_and_any_letters_as_texts) {
+TEST(Overrides, TakeBareWordsAndAnyLettersAsTexts) {
   EXPECT_EQ(with({"title=Schütze & Söhne"}).title, "Schütze & Söhne");
   EXPECT_EQ(with({"title=a=b"}).title, "a=b");
   EXPECT_EQ(with({"title=\"7\""}).title, "7");
   EXPECT_EQ(with({R"(title=back\slash "and" 'quotes')"}).title, R"(back\slash "and" 'quotes')");
 }
 
-TEST(Overrides, of_the_same_key_the_last_one_counts) {
+TEST(Overrides, OfTheSameKeyTheLastOneCounts) {
   EXPECT_EQ(with({"seed=1", "seed=2", "book.0.jiggle=0.5", "book.0.jiggle=0.25"}).seed, 2U);
   EXPECT_EQ(with({"book.0.jiggle=0.5", "book.0.jiggle=0.25"}).books[0].jiggle, 0.25);
 }
 
-TEST(Script, leaves_what_it_does_not_say_at_its_default) {
+TEST(Script, LeavesWhatItDoesNotSayAtItsDefault) {
   const Scene scene = parse_scene("title = 'T'\n[[book]]\n", "s.toml");
   const Scene defaults;
   EXPECT_EQ(scene.seed, defaults.seed);
@@ -130,12 +130,12 @@ TEST(Script, leaves_what_it_does_not_say_at_its_default) {
   EXPECT_EQ(scene.books[0].options.omega_W, Eigen::Vector3d(0, 0, 0));
 }
 
-TEST(Script, damping_may_be_true_or_false) {
+TEST(Script, DampingMayBeTrueOrFalse) {
   EXPECT_EQ(with({"book.0.damping=true"}).books[0].options.damping, 1.0);
   EXPECT_EQ(with({"book.0.damping=false"}).books[0].options.damping, 0.0);
 }
 
-TEST(Script, takes_values_at_their_limits) {
+TEST(Script, TakesValuesAtTheirLimits) {
   const Scene scene =
       with({"clip.frames=1", "clip.fps=240", "clip.time_per_frame=1e6", "clip.substeps=1000000", "seed=2147483647",
             "book.0.jiggle=1", "book.0.size=[1e-6, 1e6, 1]", "book.0.damping=1000", "view.from=[1e-9, 1, 0]"});
@@ -143,7 +143,7 @@ TEST(Script, takes_values_at_their_limits) {
   EXPECT_EQ(scene.books[0].jiggle, 1.0);
 }
 
-TEST(Method, has_the_name_of_the_script) {
+TEST(Method, HasTheNameOfTheScript) {
   for (const char* name : {"springs", "matrix", "quaternion"}) {
     EXPECT_EQ(name_of(with({std::string("book.0.method=") + name}).books[0].method), name);
   }

@@ -27,7 +27,7 @@ std::string message_of(std::string_view text, const std::vector<std::string>& ov
 
 class Script : public testing::TestWithParam<BadScript> {};
 
-TEST_P(Script, is_refused_with_place_key_finding_and_allowance) {
+TEST_P(Script, IsRefusedWithPlaceKeyFindingAndAllowance) {
   EXPECT_EQ(message_of(GetParam().text, {}), GetParam().message);
 }
 
@@ -255,7 +255,7 @@ struct BadOverride {
 
 class Override : public testing::TestWithParam<BadOverride> {};
 
-TEST_P(Override, is_refused_with_its_own_words) {
+TEST_P(Override, IsRefusedWithItsOwnWords) {
   const char* scene = "title = \"T\"\n[clip]\nframes = 10\n[[book]]\nmethod = \"matrix\"\n";
   EXPECT_EQ(message_of(scene, {GetParam().text}), GetParam().message);
 }
@@ -316,7 +316,7 @@ const BadOverride bad_overrides[] = {
 
 INSTANTIATE_TEST_SUITE_P(Bad, Override, testing::ValuesIn(bad_overrides));
 
-TEST(ScriptFile, that_cannot_be_read_is_named) {
+TEST(ScriptFile, ThatCannotBeReadIsNamed) {
   for (const char* file : {"no/such/script.toml", BOOKSPIN_SOURCE_DIR}) {
     try {
       (void)load_scene(file);

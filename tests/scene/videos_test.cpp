@@ -43,7 +43,7 @@ std::vector<std::string> scripts() {
   return names;
 }
 
-TEST(Videos, holds_every_figure_of_the_paper) {
+TEST(Videos, HoldsEveryFigureOfThePaper) {
   const std::vector<std::string> names = scripts();
   for (const char* figure : figures)
     EXPECT_TRUE(std::find(names.begin(), names.end(), figure) != names.end()) << figure;
@@ -51,7 +51,7 @@ TEST(Videos, holds_every_figure_of_the_paper) {
 
 class Video : public testing::TestWithParam<std::string> {};
 
-TEST_P(Video, meets_what_its_script_expects) {
+TEST_P(Video, MeetsWhatItsScriptExpects) {
   const Scene scene = load_scene(folder() / (GetParam() + ".toml"));
   EXPECT_FALSE(scene.title.empty());
   EXPECT_FALSE(scene.caption.empty());
@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(All, Video, testing::ValuesIn(scripts()), [](const test
 });
 
 // The scripts' expectations are claims: with the repair left out, or the axis changed, they break.
-TEST(Videos, expectations_break_when_the_claim_is_wrong) {
+TEST(Videos, ExpectationsBreakWhenTheClaimIsWrong) {
   struct Wrong {
     const char* figure;
     const char* override_text;

@@ -25,12 +25,12 @@ struct Planes {
   bool operator==(const Planes&) const = default;
 };
 
-struct Colour {
+struct Color {
   double y, cb, cr;
 };
 
 // BT.709-6, 3.2 to 3.5, written straight down: from R', G', B' in 0 ... 255 to unrounded limited-range levels.
-Colour bt709(double r, double g, double b) {
+Color bt709(double r, double g, double b) {
   const double luma = 0.2126 * r / 255 + 0.7152 * g / 255 + 0.0722 * b / 255;
   return {16 + 219 * luma, 128 + 224 * (b / 255 - luma) / 1.8556, 128 + 224 * (r / 255 - luma) / 1.5748};
 }
@@ -39,8 +39,8 @@ double error_of(std::uint8_t got, double exact) {
   return std::abs(got - exact);
 }
 
-TEST(I420, EveryColourIsTheRoundedFormula) {
-  // Blocks of four equal pixels: the second chroma sample of each sees one colour only.
+TEST(I420, EveryColorIsTheRoundedFormula) {
+  // Blocks of four equal pixels: the second chroma sample of each sees one color only.
   Image image(4 * 256, 2);
   Planes planes(image.width, image.height);
   double worst = 0;
@@ -54,7 +54,7 @@ TEST(I420, EveryColourIsTheRoundedFormula) {
       }
       convert_to_i420(image, image.bounds(), planes.view());
       for (std::size_t b = 0; b < 256; ++b) {
-        const Colour exact = bt709(r, g, static_cast<double>(b));
+        const Color exact = bt709(r, g, static_cast<double>(b));
         const std::array<std::uint8_t, 3> got{planes.y[4 * b + 1], planes.cb[2 * b + 1], planes.cr[2 * b + 1]};
         const std::array<double, 3> wanted{exact.y, exact.cb, exact.cr};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -80,7 +80,7 @@ TEST(I420, ChromaIsSitedLeftAndBetweenTheRows) {
     };
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
-        const Colour exact = bt709(channel(x, y, 0), channel(x, y, 1), channel(x, y, 2));
+        const Color exact = bt709(channel(x, y, 0), channel(x, y, 1), channel(x, y, 2));
         worst = std::max(worst, error_of(planes.y[index(width, x, y)], exact.y));
         if (x % 2 != 0 || y % 2 != 0) continue;
         const auto mean = [&](std::size_t i) {
@@ -90,7 +90,7 @@ TEST(I420, ChromaIsSitedLeftAndBetweenTheRows) {
           }
           return sum / 8;
         };
-        const Colour sample = bt709(mean(0), mean(1), mean(2));
+        const Color sample = bt709(mean(0), mean(1), mean(2));
         const auto at = index(width / 2, x / 2, y / 2);
         worst = std::max({worst, error_of(planes.cb[at], sample.cb), error_of(planes.cr[at], sample.cr)});
       }

@@ -99,19 +99,19 @@ TEST(Mp4Writer, KeyFramesFallOnWholeSecondsDespiteCuts) {
   EXPECT_THAT(read_mp4_info(folder / "film.mp4").key_frames, ElementsAre(0, 20, 40));
 }
 
-TEST(Mp4Writer, FlatColoursComeBack) {
-  const auto folder = empty_folder("colours");
-  const std::array<std::array<std::uint8_t, 3>, 9> colours{{{255, 0, 0},
-                                                            {0, 255, 0},
-                                                            {0, 0, 255},
-                                                            {128, 128, 128},
-                                                            {255, 255, 255},
-                                                            {0, 0, 0},
-                                                            {200, 120, 40},
-                                                            {30, 60, 90},
-                                                            {250, 246, 238}}};
+TEST(Mp4Writer, FlatColorsComeBack) {
+  const auto folder = empty_folder("colors");
+  const std::array<std::array<std::uint8_t, 3>, 9> colors{{{255, 0, 0},
+                                                           {0, 255, 0},
+                                                           {0, 0, 255},
+                                                           {128, 128, 128},
+                                                           {255, 255, 255},
+                                                           {0, 0, 0},
+                                                           {200, 120, 40},
+                                                           {30, 60, 90},
+                                                           {250, 246, 238}}};
   int worst = 0;
-  for (const auto& [r, g, b] : colours) {
+  for (const auto& [r, g, b] : colors) {
     const Image drawn = flat_picture(64, 48, r, g, b);
     Part part(folder / "film.mp4");
     Mp4Writer writer(part, {.width = 64, .height = 48, .fps = 60, .title = {}});

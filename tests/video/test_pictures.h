@@ -30,7 +30,7 @@ inline Image random_picture(int width, int height, std::mt19937& generator) {
   return image;
 }
 
-// A coloured, patterned box that drifts over a calm background: frame k.
+// A colored, patterned box that drifts over a calm background: frame k.
 struct MovingBox {
   int width;
   int height;
