@@ -67,7 +67,6 @@ std::string error_of(const std::string& book) {
 }
 
 TEST(Ways, AScriptMayNameWhatTheMethodTakesAndNothingElse) {
-  EXPECT_EQ(ways().size(), 17U);
   for (const Method method : methods) {
     for (const bool damped : {false, true}) {
       std::vector<std::string_view> allowed;
