@@ -88,6 +88,19 @@ void add_springs(Shot& shot, const BookSetup& setup, const BookTrack& track, int
   }
 }
 
+void add_ghost(Shot& shot, const BookSetup& setup, const Eigen::Quaterniond& q_WB) {
+  const Corners corners_W = q_WB.toRotationMatrix() * body_of(setup.options).corners_B;
+  shot.books.push_back({corners_W.colwise() + setup.position_W, BookStyle::ghost});
+}
+
+void add_exact(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame) {
+  add_ghost(shot, setup, track.frames[static_cast<std::size_t>(frame)].exact_q_WB);
+}
+
+void add_unrotated(Shot& shot, const BookSetup& setup, const BookTrack&, int) {
+  add_ghost(shot, setup, Eigen::Quaterniond::Identity());
+}
+
 struct Drawing {
   Overlay id;
   void (*add)(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame);
@@ -100,7 +113,9 @@ constexpr std::array drawings{Drawing{Overlay::axes, add_axes, as_its_labels},
                               Drawing{Overlay::angular_velocity, add_angular_velocity, arrow_length + 0.2},
                               Drawing{Overlay::angular_momentum, add_angular_momentum, arrow_length + 0.2},
                               Drawing{Overlay::trace, add_trace, trace_length + 0.02},
-                              Drawing{Overlay::springs, add_springs, 0.0}};
+                              Drawing{Overlay::springs, add_springs, 0.0},
+                              Drawing{Overlay::exact, add_exact, 1.0},
+                              Drawing{Overlay::unrotated, add_unrotated, 1.0}};
 
 static_assert(drawings.size() == overlay_names.size());
 static_assert(std::all_of(drawings.begin(), drawings.end(),

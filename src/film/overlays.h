@@ -1,4 +1,4 @@
-// What a script can have drawn with a book, as things of a Shot: arrows, the trace of the spin axis, springs, labels.
+// What a script can have drawn with a book, as things of a Shot: arrows, the trace of the spin axis, springs, ghosts, labels.
 //
 // Lengths follow the book: an arrow of full length reaches beyond its corners. The angular momentum's is in proportion
 // to its length at the start, and so is the angular velocity's: one that shrinks is seen to shrink. All positions are

@@ -40,11 +40,13 @@ enum class Overlay {
   angular_momentum,  // arrow
   trace,             // the path of the tip of the spin axis (the one that tilt is measured of), fading with age
   springs,           // all 28, colored by tension
+  exact,             // ghost: the exact book from the same start
+  unrotated,         // ghost: the book as it was at the start
   count
 };
 
-inline constexpr std::array<std::string_view, 5> overlay_names{"axes", "angular_velocity", "angular_momentum", "trace",
-                                                               "springs"};
+inline constexpr std::array<std::string_view, 7> overlay_names{
+    "axes", "angular_velocity", "angular_momentum", "trace", "springs", "exact", "unrotated"};
 static_assert(overlay_names.size() == static_cast<std::size_t>(Overlay::count));
 
 struct BookSetup {

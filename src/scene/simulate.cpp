@@ -17,8 +17,8 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double unit_norm = 4.0 * std::numeric_limits<double>::epsilon();  // a quaternion this near to 1 has norm 1
 
-// Where numbers have ended: the counts of the frame before, and nothing else.
-BookFrame non_finite_frame(const BookFrame& before) {
+// Where numbers have ended: the counts of the frame before, and the exact book.
+BookFrame non_finite_frame(const BookFrame& before, const Eigen::Quaterniond& exact_q_WB) {
   BookFrame f;
   f.corners_W.setConstant(nan);
   f.q_WB.coeffs().setConstant(nan);
@@ -26,6 +26,7 @@ BookFrame non_finite_frame(const BookFrame& before) {
   f.omega_W.setConstant(nan);
   for (const Quantity& q : quantities) f[q.id] = q.count ? before[q.id] : nan;
   f[Q::exploded] = 1.0;
+  f.exact_q_WB = exact_q_WB;
   return f;
 }
 
@@ -61,27 +62,34 @@ class Recorder {
     const bool first = track_.frames.empty();
     BookFrame f;
     f.corners_W = book.corners_W();
+    f.exact_q_WB = exact_.at(t).q_WB;
     f[Q::extent] = extent(f.corners_W, body_.corners_B);
     if (!first && (!std::isfinite(f[Q::extent]) || !track_.frames.back().corners_W.allFinite())) {
-      push(non_finite_frame(track_.frames.back()));
+      push(non_finite_frame(track_.frames.back(), f.exact_q_WB));
       return;
     }
     f[Q::exploded] = f[Q::extent] > largest_extent || track_.exploded_frame ? 1.0 : 0.0;
     f.q_WB = orientation(book, f.corners_W, body_.corners_B);
     if (!first && f.q_WB.dot(track_.frames.back().q_WB) < 0.0) f.q_WB.coeffs() = -f.q_WB.coeffs();
-    f[Q::angle_error] = geodesic_angle(f.q_WB, exact_.at(t).q_WB);
-    f[Q::tilt] = angle_between(f.q_WB * spin_axis_, spin_axis_) * 180.0 / std::numbers::pi;
+    f[Q::angle_error] = geodesic_angle(f.q_WB, f.exact_q_WB);
+    f[Q::tilt] = tilt(f.q_WB);
+    f[Q::exact_tilt] = tilt(f.exact_q_WB);
+    f[Q::exact_flips] = exact_flips_.count(f[Q::exact_tilt]);
     measure_shape(f, book);
     f[Q::flips] = f.exploded() && !first ? track_.frames.back()[Q::flips] : flips_.count(f[Q::tilt]);
     f[Q::pulsations] =
         f.exploded() && !first ? track_.frames.back()[Q::pulsations] : pulsations_.count(f[Q::largest_singular_value]);
     measure_motion(f, book);
-    push(!first && overflown(f, track_.frames.front()) ? non_finite_frame(track_.frames.back()) : f);
+    push(!first && overflown(f, track_.frames.front()) ? non_finite_frame(track_.frames.back(), f.exact_q_WB) : f);
   }
 
   BookTrack take() { return std::move(track_); }
 
  private:
+  [[nodiscard]] double tilt(const Eigen::Quaterniond& q_WB) const {  // degrees
+    return angle_between(q_WB * spin_axis_, spin_axis_) * 180.0 / std::numbers::pi;
+  }
+
   template <class Book>
   void measure_shape(BookFrame& f, const Book& book) const {
     const Eigen::Matrix3d F_WB = deformation(f.corners_W, body_.corners_B);
@@ -122,7 +130,8 @@ class Recorder {
   Body body_;
   TorqueFree exact_;
   Eigen::Vector3d spin_axis_;  // body = world frame at the start; without the jiggle; 0 for a book at rest
-  Passages flips_{10.0, 170.0};
+  Passages flips_{30.0, 150.0};
+  Passages exact_flips_{30.0, 150.0};
   Pulsations pulsations_;
   BookTrack track_;
 };

@@ -23,11 +23,12 @@ namespace bookspin {
 inline constexpr double largest_extent = 2.0;  // in lengths of half the diagonal at rest
 
 struct BookFrame {
-  Corners corners_W = Corners::Zero();                       // about the book's own center, world frame
-  Eigen::Quaterniond q_WB = Eigen::Quaterniond::Identity();  // |q| = 1, sign continuous from frame to frame
-  Eigen::Vector3d L_W = Eigen::Vector3d::Zero();             // angular momentum
-  Eigen::Vector3d omega_W = Eigen::Vector3d::Zero();         // R_WB I_B^-1 R_WB^T L_W: R of q_WB, I_B at rest
-  std::array<double, quantity_count> value{};                // NaN where the book has no such number
+  Corners corners_W = Corners::Zero();                             // about the book's own center, world frame
+  Eigen::Quaterniond q_WB = Eigen::Quaterniond::Identity();        // |q| = 1, sign continuous from frame to frame
+  Eigen::Quaterniond exact_q_WB = Eigen::Quaterniond::Identity();  // of the exact book from the same start
+  Eigen::Vector3d L_W = Eigen::Vector3d::Zero();                   // angular momentum
+  Eigen::Vector3d omega_W = Eigen::Vector3d::Zero();               // R_WB I_B^-1 R_WB^T L_W: R of q_WB, I_B at rest
+  std::array<double, quantity_count> value{};                      // NaN where the book has no such number
 
   [[nodiscard]] double& operator[](Q q) { return value[static_cast<std::size_t>(q)]; }
   [[nodiscard]] double operator[](Q q) const { return value[static_cast<std::size_t>(q)]; }
