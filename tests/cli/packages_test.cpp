@@ -42,9 +42,9 @@ struct Packages : testing::Test {
 esac
 echo apt-get "$@" >>asked
 [ "$1" = install ] || exit 0
-echo "dlstatus:1:4.5:Retrieving"
-echo "dlstatus:2:7.5:Retrieving"
-echo "pmstatus:missing-one:100.0:Installed"
+echo "dlstatus:1:4.5:Retrieving" >&3
+echo "dlstatus:2:7.5:Retrieving" >&3
+echo "pmstatus:missing-one:100.0:Installed" >&3
 echo "E: words of apt-get"
 exit ${APT_FAILS:-0})");
   }
@@ -62,7 +62,7 @@ TEST_F(Packages, RootInstallsWhatIsMissingAndNothingElse) {
   const Said said = install();
   EXPECT_EQ(said.exit_code, 0);
   EXPECT_EQ(read_text(scratch / "asked"),
-            "apt-get update\napt-get install -y --no-install-recommends -o APT::Status-Fd=1 missing-one missing-two\n");
+            "apt-get update\napt-get install -y --no-install-recommends -o APT::Status-Fd=3 missing-one missing-two\n");
   EXPECT_EQ(said.out,
             "Installing missing-one missing-two and what they need: 340 packages, 96.5 MB to download, 417 MB on disk\n"
             "  downloaded 0 %\n  installed 100 %\n");
@@ -110,7 +110,7 @@ TEST_F(Packages, WhatTheArchiveDoesNotHaveIsNamedAndTheRestInstalled) {
   const Said said = install();
   EXPECT_EQ(said.exit_code, 1);
   EXPECT_THAT(said.err, HasSubstr("do not have gone, gone-too | gone-three (has Ubuntu's universe been enabled?)\n"));
-  EXPECT_THAT(read_text(scratch / "asked"), HasSubstr("APT::Status-Fd=1 missing-one\n"));
+  EXPECT_THAT(read_text(scratch / "asked"), HasSubstr("APT::Status-Fd=3 missing-one\n"));
 }
 
 TEST_F(Packages, AFailedInstallationIsToldToo) {
