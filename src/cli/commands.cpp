@@ -20,6 +20,7 @@
 #include "files/files.h"
 #include "film/film_data.h"
 #include "film/shoot.h"
+#include "film/storyboard.h"
 #include "image/compare.h"
 #include "image/png.h"
 #include "page/page.h"
@@ -67,6 +68,16 @@ auto try_load(const Load& load) -> std::optional<decltype(load())> {
 
 std::optional<Scene> try_load_scene(const fs::path& script, const Options& options) {
   return try_load([&] { return load_scene(script, options.overrides); });
+}
+
+// No font at all is no matter of a check, and an error of the drawing.
+void warn_of_boxes(const std::string& script, const Scene& scene) {
+  try {
+    for (const std::string& characters : lacking_characters(scene)) {
+      complain(fmt::format("{}: {}: not in the font, drawn as a box", script, characters));
+    }
+  } catch (const std::runtime_error&) {
+  }
 }
 
 void refuse_to_replace(const fs::path& script, const fs::path& output) {
@@ -146,6 +157,7 @@ int render_scenes(const Options& options) {
     if (!film) {
       not_made.push_back(fs::path(script).filename().string());
     } else if (!options.update || !is_up_to_date(*film, products(*film, folder))) {
+      warn_of_boxes(film->file.filename().string(), film->scene);
       films.push_back(std::move(*film));
     }
   }
@@ -212,6 +224,7 @@ int check_scenes(const Options& options) {
       not_read.push_back(script);
       continue;
     }
+    warn_of_boxes(script, *scene);
     const std::vector<Verdict> verdicts = judge(*scene, simulate(*scene, options.stop));
     ++(unmet(verdicts) == 0 ? met : failed);
     print(fmt::format("{}: {}\n", script, met_of(verdicts)));

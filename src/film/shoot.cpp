@@ -43,7 +43,7 @@ FilmReceipt shoot(const Film& film, const fs::path& folder, Renderer& renderer, 
   const Trajectory trajectory = simulate(film.scene, stop, &progress.frames_simulated);
   FilmReceipt receipt;
   receipt.verdicts = judge(film.scene, trajectory);
-  const Storyboard storyboard(film.scene, trajectory, static_cast<double>(film.width) / film.height);
+  const Storyboard storyboard(film.scene, trajectory, film.width, film.height);
   std::optional<Mp4Writer> writer;
   if (mp4) {
     writer.emplace(*mp4, Mp4Writer::Settings{film.width, film.height, film.scene.clip.fps, film.scene.title});
@@ -105,7 +105,7 @@ std::vector<FilmOutcome> shoot_all(std::span<const Film> films, const fs::path& 
 Image draw_frame(const Scene& scene, int frame, int width, int height, const fs::path& assets,
                  const std::stop_token& stop) {
   const Trajectory trajectory = simulate(scene, stop);
-  const Storyboard storyboard(scene, trajectory, static_cast<double>(width) / height);
+  const Storyboard storyboard(scene, trajectory, width, height);
   return Renderer(width, height, assets).draw(storyboard.shot(frame));
 }
 

@@ -1,6 +1,7 @@
 #include "film/storyboard.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include "film/overlays.h"
 #include "image/color.h"
 #include "render/camera.h"
+#include "render/text.h"
 
 namespace bookspin {
 namespace {
@@ -17,15 +19,19 @@ namespace {
 constexpr double vertical_fov = 0.5235987755982988;  // 30 degrees, as in the original program
 constexpr double margin = 1.04;                      // free space about the motion
 constexpr double middle_band = 0.88;                 // of the height: above it stands the title, below it the figures
+constexpr double lowest_line = 0.98;                 // base line of the figures, frame heights; a smaller band heeds it
 constexpr double name_offset = 1.16;                 // of a name below its book, in lengths of its half diagonal
 constexpr double left_edge = 0.03;                   // of the title and what stands below it, in frame widths
 constexpr double title_y = 0.07;                     // base line; this and all below in frame heights
 constexpr double title_height = 0.04;
+constexpr double name_height = 0.042;
 constexpr double figure_height = 0.035;
 constexpr double line_height = 0.05;
+constexpr double name_gap = 0.06;  // between texts below two books in a row, in those of their distance
 
 // The camera from which all spheres lie inside the four side planes of the picture.
-Camera camera_that_frames(const std::vector<Sphere>& spheres, const Eigen::Vector3d& from_W, double aspect) {
+Camera camera_that_frames(const std::vector<Sphere>& spheres, const Eigen::Vector3d& from_W, double aspect,
+                          double band) {
   Eigen::AlignedBox3d box;
   for (const Sphere& s : spheres) box.extend(s.center_W);
   Camera camera;
@@ -52,7 +58,7 @@ Camera camera_that_frames(const std::vector<Sphere>& spheres, const Eigen::Vecto
     distance = std::max(distance, (plus + minus) / (2.0 * std::sin(half)));
   };
   frame_along(R_CW.row(0).transpose(), std::atan(aspect * tan_half));
-  frame_along(R_CW.row(1).transpose(), std::atan(middle_band * tan_half));
+  frame_along(R_CW.row(1).transpose(), std::atan(band * tan_half));
   camera.eye_W = camera.target_W + distance * back_W;
   return camera;
 }
@@ -70,7 +76,7 @@ std::string head_up_text(const Quantity& q, double value) {
 
 }  // namespace
 
-Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, double aspect)
+Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, int width, int height)
     : scene_(&scene), trajectory_(&trajectory) {
   std::vector<Sphere> spheres;
   last_moving_frame_ = 0;
@@ -86,68 +92,120 @@ Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, double 
     const std::vector<Sphere> overlays = overlay_reach(setup, track);
     spheres.insert(spheres.end(), overlays.begin(), overlays.end());
   }
-  camera_ = camera_that_frames(spheres, scene.view.from, aspect);
+  double lowest = 1.0;
+  for (double band = middle_band; lowest > lowest_line && band > 0.3; band -= 0.02) {
+    camera_ = camera_that_frames(spheres, scene.view.from, static_cast<double>(width) / height, band);
+    lowest = 0.0;
+    for (const Label& label : text(0)) {
+      if (!label.anchor_W) continue;
+      lowest = std::max(lowest, View(camera_, width, height).project(*label.anchor_W).y / height + label.position.y());
+    }
+  }
+  fit_text(width, height);
+}
+
+void Storyboard::fit_text(int width, int height) {
+  TextPainter painter;
+  const View view(camera_, width, height);
+  // Below a book: to the picture's nearer edge, and half way to the next book of the row.
+  const auto room = [&](const Label& label) {
+    if (!label.anchor_W) return (1.0 - 2.0 * left_edge) * width;
+    const PixelPoint here = view.project(*label.anchor_W);
+    double half = std::min(here.x, width - here.x);
+    for (const BookSetup& other : scene_->books) {
+      const PixelPoint there = view.project(name_anchor_W(*scene_, other));
+      const double apart = std::abs(there.x - here.x);
+      const bool in_row = std::abs(there.y - here.y) < 3.0 * line_height * height;
+      if (in_row && apart > 0.5 * line_height * height) half = std::min(half, 0.5 * apart);
+    }
+    return 2.0 * (1.0 - name_gap) * half;
+  };
+  for (int frame = 0; frame < scene_->clip.frames; ++frame) {
+    for (Label& label : text(frame)) {
+      double& set = set_height_.try_emplace(label.height, label.height).first->second;
+      for (label.height = set; set * height > 1.5; label.height = set) {
+        if (painter.lay_out(label, view, width, height).length <= room(label)) break;
+        set = (std::round(set * height) - 1.0) / height;
+      }
+    }
+  }
 }
 
 Shot Storyboard::shot(int frame) const {
   Shot shot;
   shot.camera = camera_;
-  shot.labels.push_back(make_label(scene_->title, title_height, palette::gray, {left_edge, title_y}, Align::left));
-  std::string notice;
   for (std::size_t b = 0; b < scene_->books.size(); ++b) {
     const BookSetup& setup = scene_->books[b];
     const BookTrack& track = trajectory_->books[b];
-    const BookFrame& now = track.shown(frame);
-    shot.books.push_back({now.corners_W.colwise() + setup.position_W,
+    shot.books.push_back({track.shown(frame).corners_W.colwise() + setup.position_W,
                           setup.style == Style::ghost ? BookStyle::ghost : BookStyle::solid});
     add_overlays(shot, setup, track, frame);
-    if (!setup.name.empty()) {
-      Label name = make_label(setup.name, 0.042, palette::light, {0.0, 0.0});
-      name.anchor_W = name_anchor_W(*scene_, setup);
-      shot.labels.push_back(name);
-    }
-    if (track.exploded_frame && frame >= *track.exploded_frame) {
-      notice +=
-          fmt::format("{}{}exploded at t = {:.4g}", notice.empty() ? "" : "   ",
-                      setup.name.empty() ? "" : setup.name + " ", *track.exploded_frame * scene_->clip.time_per_frame);
-    }
   }
-  double y = title_y + 1.2 * line_height;
-  if (!notice.empty()) {
-    shot.labels.push_back(make_label(notice, title_height, palette::yellow, {left_edge, y}, Align::left));
-    y += line_height;
+  for (Label& label : text(frame)) {
+    label.height = set_height_.at(label.height);
+    shot.labels.push_back(std::move(label));
   }
-  add_head_up(shot, frame, y);
   return shot;
 }
 
-// Below the title, the time and the figures that the script names; for several books below each book's name. Never at
-// the bottom left, where a browser's controls lie over them.
-void Storyboard::add_head_up(Shot& shot, int frame, double y) const {
-  if (scene_->view.head_up.empty()) return;
-  const auto add = [&shot](const std::string& text, const Eigen::Vector2d& position, Align align) -> Label& {
-    shot.labels.push_back(make_label(text, figure_height, palette::light, position, align));
-    shot.labels.back().tabular = true;
-    return shot.labels.back();
+// From the top left down: title, explosions, the time and the figures that the script names; of several books below
+// each, with its name. Never at the bottom left, where a browser's controls lie over them.
+std::vector<Label> Storyboard::text(int frame) const {
+  const std::vector<BookSetup>& books = scene_->books;
+  std::vector<Label> labels{make_label(scene_->title, title_height, palette::gray, {left_edge, title_y}, Align::left)};
+  double y = title_y + 0.2 * line_height;
+  const auto add = [&](const std::string& line, double size, const Color& color) {
+    labels.push_back(make_label(line, size, color, {left_edge, y += line_height}, Align::left));
+    labels.back().tabular = size == figure_height;
   };
-  add(fmt::format("t {:.1f}", std::min(frame, last_moving_frame_) * scene_->clip.time_per_frame), {left_edge, y},
-      Align::left);
-  const bool one = std::count_if(scene_->books.begin(), scene_->books.end(),
-                                 [](const BookSetup& book) { return book.style == Style::solid; }) <= 1;
-  for (std::size_t b = 0; b < scene_->books.size(); ++b) {
-    const BookSetup& setup = scene_->books[b];
-    if (setup.style == Style::ghost && scene_->books.size() > 1) continue;
-    const BookFrame& now = trajectory_->books[b].shown(frame);
-    double below_name = 0.0;
+  std::vector<int> lines(books.size());  // used, below the first book of each place
+  const auto add_below = [&](std::size_t b, const std::string& line, double size) {
+    const auto first = std::find_if(books.begin(), books.end(),
+                                    [&](const BookSetup& other) { return other.position_W == books[b].position_W; });
+    const int used = lines[static_cast<std::size_t>(first - books.begin())]++;
+    labels.push_back(make_label(line, size, palette::light, {0.0, used * line_height}));
+    labels.back().anchor_W = name_anchor_W(*scene_, books[b]);
+    labels.back().tabular = size == figure_height;
+  };
+
+  for (std::size_t b = 0; b < books.size(); ++b) {
+    const std::optional<int>& exploded = trajectory_->books[b].exploded_frame;
+    if (!exploded || frame < *exploded) continue;
+    add(fmt::format("{}{}exploded at t = {:.4g}", books[b].name, books[b].name.empty() ? "" : " ",
+                    *exploded * scene_->clip.time_per_frame),
+        title_height, palette::yellow);
+  }
+  if (!scene_->view.head_up.empty()) {
+    add(fmt::format("t {:.1f}", std::min(frame, last_moving_frame_) * scene_->clip.time_per_frame), figure_height,
+        palette::light);
+  }
+  const bool one =
+      std::count_if(books.begin(), books.end(), [](const BookSetup& book) { return book.style == Style::solid; }) <= 1;
+  for (std::size_t b = 0; b < books.size(); ++b) {
+    if (!books[b].name.empty()) add_below(b, books[b].name, name_height);
+    if (books[b].style == Style::ghost && books.size() > 1) continue;
     for (const Q q : scene_->view.head_up) {
-      const std::string text = head_up_text(quantity(q), now[q]);
+      const std::string figure = head_up_text(quantity(q), trajectory_->books[b].shown(frame)[q]);
       if (one) {
-        add(text, {left_edge, y += line_height}, Align::left);
+        add(figure, figure_height, palette::light);
       } else {
-        add(text, {0.0, below_name += line_height}, Align::center).anchor_W = name_anchor_W(*scene_, setup);
+        add_below(b, figure, figure_height);
       }
     }
   }
+  return labels;
+}
+
+std::vector<std::string> lacking_characters(const Scene& scene) {
+  const TextPainter painter;
+  std::vector<std::string> result;
+  const auto look = [&](const std::string& place, const std::string& text) {
+    const std::vector<std::string> lacking = painter.lacks(text);
+    if (!lacking.empty()) result.push_back(fmt::format("{}: '{}'", place, fmt::join(lacking, "', '")));
+  };
+  look("title", scene.title);
+  for (std::size_t b = 0; b < scene.books.size(); ++b) look(fmt::format("book.{}.name", b), scene.books[b].name);
+  return result;
 }
 
 }  // namespace bookspin

@@ -18,18 +18,13 @@ constexpr Color rim_color{14, 18, 24, 255};
 constexpr int rim_strength = 200;  // of 255
 constexpr int phases = 4;          // positions of a glyph within a pixel
 
-// The characters of UTF-8 text; a byte that is no part of any becomes U+FFFD.
+// The characters of UTF-8 text; a byte that is no part of any becomes U+FFFD, a line's end or a tab a space.
 std::vector<char32_t> characters(std::string_view text) {
   std::vector<char32_t> result;
   for (std::size_t i = 0; i < text.size();) {
     const auto first = static_cast<unsigned char>(text[i++]);
-    const int following = first < 0x80 ? 0 : first >= 0xF0 ? 3 : first >= 0xE0 ? 2 : first >= 0xC0 ? 1 : -1;
-    if (following < 0) {
-      result.push_back(U'\uFFFD');
-      continue;
-    }
-    char32_t character = following == 0 ? first : first & (0x3FU >> following);
-    int left = following;
+    int left = first < 0x80 ? 0 : first >= 0xF0 ? 3 : first >= 0xE0 ? 2 : first >= 0xC0 ? 1 : -1;
+    char32_t character = left <= 0 ? std::max<char32_t>(first, U' ') : first & (0x3FU >> left);
     while (left > 0 && i < text.size() && (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U) {
       character = (character << 6U) | (static_cast<unsigned char>(text[i++]) & 0x3FU);
       --left;
@@ -156,7 +151,7 @@ double TextPainter::digit_advance(Weight weight, int em) {
 TextLayout TextPainter::lay_out(const Label& label, const View& view, int width, int height) {
   TextLayout layout;
   layout.color = label.color;
-  const int em = std::max(4, static_cast<int>(std::lround(label.height * height)));
+  const int em = std::max(1, static_cast<int>(std::lround(label.height * height)));
   double x = label.position.x() * width;
   double y = label.position.y() * height;
   if (label.anchor_W) {
@@ -175,10 +170,9 @@ TextLayout TextPainter::lay_out(const Label& label, const View& view, int width,
   const auto advance = [&](char32_t c) {
     return label.tabular && is_digit(c) ? digit : glyph({label.weight, em, c, 0, 0}).advance;
   };
-  double length = 0;
-  for (const char32_t c : text) length += advance(c);
-  if (label.align == Align::center) x -= length / 2;
-  if (label.align == Align::right) x -= length;
+  for (const char32_t c : text) layout.length += advance(c);
+  if (label.align == Align::center) x -= layout.length / 2;
+  if (label.align == Align::right) x -= layout.length;
 
   for (const char32_t c : text) {
     const double step = advance(c);
@@ -194,6 +188,19 @@ TextLayout TextPainter::lay_out(const Label& label, const View& view, int width,
   }
   layout.bounds = intersection(layout.bounds, {0, 0, width, height});
   return layout;
+}
+
+std::vector<std::string> TextPainter::lacks(const std::string& text) const {
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i + 1;
+    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) ++end;
+    const std::string character = text.substr(i, end - i);
+    const bool boxed = FT_Get_Char_Index(fonts_->faces[0], characters(character).front()) == 0;
+    if (boxed && std::find(result.begin(), result.end(), character) == result.end()) result.push_back(character);
+    i = end;
+  }
+  return result;
 }
 
 void TextPainter::draw(const TextLayout& layout, const Rect& clip, Image& picture) {

@@ -2,13 +2,14 @@
 // reads on a book as on the background.
 //
 // Two steps: lay_out finds where each glyph goes (and so which pixels the label touches), draw blends what falls into
-// clip. A label blended in pieces gives the same bytes as in one. Glyphs are drawn once and kept. Throws
-// std::runtime_error naming the font file and FreeType's reason.
+// clip. A label blended in pieces gives the same bytes as in one. Glyphs are drawn once and kept; a character that Inter
+// lacks is a box. Throws std::runtime_error naming the font file and FreeType's reason.
 #pragma once
 
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -32,7 +33,8 @@ struct TextLayout {
     int x, y;  // of the pen, pixels
   };
   std::vector<Place> glyphs;
-  Rect bounds;
+  Rect bounds;        // of the ink, within the frame
+  double length = 0;  // from the first pen to the last, pixels
   Color color;
 };
 
@@ -45,6 +47,7 @@ class TextPainter {
 
   // Valid as long as the painter. Nothing is laid out for an anchor that is not finite or not in front of the camera.
   TextLayout lay_out(const Label& label, const View& view, int width, int height);
+  [[nodiscard]] std::vector<std::string> lacks(const std::string& text) const;  // characters that are a box, each once
   static void draw(const TextLayout& layout, const Rect& clip, Image& picture);
 
  private:

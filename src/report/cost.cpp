@@ -24,7 +24,7 @@ FrameCost frame_cost(const Scene& scene, const FrameCostOrder& order) {
   Trajectory trajectory;
   cost.dynamics = 1e-6 * least_ns(order.passes, [&] { trajectory = simulate(scene); }) / scene.clip.frames;
 
-  const Storyboard storyboard(scene, trajectory, static_cast<double>(order.width) / order.height);
+  const Storyboard storyboard(scene, trajectory, order.width, order.height);
   Renderer renderer(order.width, order.height, order.assets);
   cost.renderer = renderer.description();
   renderer.draw(storyboard.shot(first));  // compiles the shaders

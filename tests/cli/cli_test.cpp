@@ -76,6 +76,17 @@ TEST_F(Cli, ListsTheFiguresOfTheProjectAndOfAFolder) {
   EXPECT_EQ((*this)("list nowhere").exit_code, 1);
 }
 
+TEST_F(Cli, WarnsOnceOfWhatTheFontLacks) {
+  write_text(scratch / "box.toml", "title = \"字 is a box, 字\"\n[clip]\nframes = 2\n[[book]]\nname = \"漢\"\n");
+  for (const char* command : {"check box.toml", "render box.toml -o films --size 64x36"}) {
+    const Said said = (*this)(command);
+    EXPECT_EQ(said.exit_code, 0) << said.err;
+    EXPECT_EQ(said.err,
+              "bookspin: box.toml: title: '字': not in the font, drawn as a box\n"
+              "bookspin: box.toml: book.0.name: '漢': not in the font, drawn as a box\n");
+  }
+}
+
 TEST_F(Cli, ABadScriptDoesNotStopTheOthers) {
   write_text(scratch / "bad.toml", "title = 3\n");
   write_text(scratch / "other.toml", good_script);

@@ -43,7 +43,7 @@ TEST_P(Figure, FirstMiddleAndLastFrameAreTheGoldens) {
   constexpr int height = 180;
   const Scene scene = load_scene(script(GetParam()));
   const Trajectory trajectory = simulate(scene);
-  const Storyboard storyboard(scene, trajectory, static_cast<double>(width) / height);
+  const Storyboard storyboard(scene, trajectory, width, height);
   Renderer renderer(width, height, project);
   // An exploded book is held: the middle is that of what moves.
   const int last = scene.clip.frames - 1;

@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <set>
+
 #include "render/camera.h"
+#include "render/text.h"
 #include "scene/scene_file.h"
 #include "scene/simulate.h"
 
@@ -31,7 +35,7 @@ class EveryFigure : public testing::TestWithParam<const char*> {};
 TEST_P(EveryFigure, KeepsTheMotionInViewAndFillsThePicture) {
   const Scene scene = load_scene(script(GetParam()));
   const Trajectory trajectory = simulate(scene);
-  const Storyboard storyboard(scene, trajectory, static_cast<double>(width) / height);
+  const Storyboard storyboard(scene, trajectory, width, height);
   double farthest = 0.0;
   for (int n = 0; n < scene.clip.frames; n += 7) {
     const Shot shot = storyboard.shot(n);
@@ -58,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(Videos, EveryFigure,
 TEST(Storyboard, AnExplosionIsHeldAndSaid) {
   const Scene scene = load_scene(script("fig08_neither"));
   const Trajectory trajectory = simulate(scene);
-  const Storyboard storyboard(scene, trajectory, 16.0 / 9.0);
+  const Storyboard storyboard(scene, trajectory, width, height);
   ASSERT_TRUE(trajectory.books[0].exploded_frame.has_value());
   const int exploded = *trajectory.books[0].exploded_frame;
   EXPECT_EQ(find_label(storyboard.shot(exploded - 1), "exploded"), nullptr);
@@ -71,7 +75,7 @@ TEST(Storyboard, AnExplosionIsHeldAndSaid) {
 TEST(Storyboard, BooksStandWhereTheScriptPutsThemWithTheirNames) {
   const Scene scene = load_scene(script("fig02_experiment"));
   const Trajectory trajectory = simulate(scene);
-  const Shot shot = Storyboard(scene, trajectory, 16.0 / 9.0).shot(100);
+  const Shot shot = Storyboard(scene, trajectory, width, height).shot(100);
   ASSERT_EQ(shot.books.size(), 3U);
   for (std::size_t b = 0; b < 3; ++b) {
     const Eigen::Vector3d center = shot.books[b].corners_W.rowwise().mean();
@@ -88,7 +92,7 @@ TEST(Storyboard, BooksStandWhereTheScriptPutsThemWithTheirNames) {
 TEST(Storyboard, AxesAreDrawnAndNamedOnRequest) {
   const Scene scene = load_scene(script("fig01_axes"));
   const Trajectory trajectory = simulate(scene);
-  const Shot shot = Storyboard(scene, trajectory, 16.0 / 9.0).shot(0);
+  const Shot shot = Storyboard(scene, trajectory, width, height).shot(0);
   ASSERT_EQ(shot.arrows.size(), 3U);
   for (int d = 0; d < 3; ++d) {
     const Arrow& arrow = shot.arrows[static_cast<std::size_t>(d)];
@@ -107,7 +111,7 @@ TEST(Storyboard, AxesAreDrawnAndNamedOnRequest) {
 TEST(Storyboard, FiguresOnRequest) {
   const Scene one = load_scene(script("fig06_undamped"));
   const Trajectory motion = simulate(one);
-  const Shot shot = Storyboard(one, motion, 16.0 / 9.0).shot(100);
+  const Shot shot = Storyboard(one, motion, width, height).shot(100);
   const Label* energy = find_label(shot, "E/E₀ ");
   ASSERT_NE(energy, nullptr);
   EXPECT_TRUE(energy->tabular);
@@ -116,7 +120,7 @@ TEST(Storyboard, FiguresOnRequest) {
 
   const Scene three = load_scene(script("fig02_experiment"));
   const Trajectory motions = simulate(three);
-  EXPECT_TRUE(find_label(Storyboard(three, motions, 16.0 / 9.0).shot(100), "tilt ")->anchor_W.has_value());
+  EXPECT_TRUE(find_label(Storyboard(three, motions, width, height).shot(100), "tilt ")->anchor_W.has_value());
 }
 
 // Arrows: L keeps its place in space while omega wanders. The trace grows, ends at the tip of the spin axis, and fades.
@@ -124,7 +128,7 @@ TEST(Storyboard, ArrowsTraceAndSpringsOnRequest) {
   const std::vector<std::string> show{"book.0.show=['angular_velocity', 'angular_momentum', 'trace', 'springs']"};
   const Scene scene = load_scene(script("fig09_matrix"), show);
   const Trajectory trajectory = simulate(scene);
-  const Storyboard storyboard(scene, trajectory, 16.0 / 9.0);
+  const Storyboard storyboard(scene, trajectory, width, height);
   const Shot start = storyboard.shot(0);
   const Shot later = storyboard.shot(420);  // in the middle of a flip
   ASSERT_EQ(later.arrows.size(), 2U);
@@ -136,6 +140,100 @@ TEST(Storyboard, ArrowsTraceAndSpringsOnRequest) {
   const Eigen::Vector3d tip = later.lines[239].to_W;
   const Eigen::Vector3d x_W = trajectory.books[0].frames[420].q_WB * Eigen::Vector3d::UnitX();
   EXPECT_LT((tip.normalized() - x_W).norm(), 1e-12);  // measured 0
+}
+
+struct Size {
+  int width, height;
+};
+constexpr Size sizes[] = {{1280, 720}, {1080, 1920}, {720, 720}, {640, 480}, {108, 192}};
+
+// Where a label's ink is, also beyond the picture's edges.
+Rect ink(TextPainter& painter, const Label& label, const Shot& shot, const Size& size) {
+  Rect result;
+  for (const TextLayout::Place& place :
+       painter.lay_out(label, View(shot.camera, size.width, size.height), size.width, size.height).glyphs) {
+    result = union_of(
+        result, {place.x + place.glyph->left, place.y + place.glyph->top, place.glyph->width, place.glyph->height});
+  }
+  return result;
+}
+
+// All text stands within the picture, and no two lines over one another.
+void expect_text_apart(const Scene& scene, const Size& size) {
+  TextPainter painter;
+  const Trajectory trajectory = simulate(scene);
+  const Storyboard storyboard(scene, trajectory, size.width, size.height);
+  for (int frame = 0; frame < scene.clip.frames; frame += 97) {
+    const Shot shot = storyboard.shot(frame);
+    std::vector<Rect> inks;
+    for (const Label& label : shot.labels) {
+      const Rect here = ink(painter, label, shot, size);
+      ASSERT_FALSE(here.empty()) << label.text;
+      EXPECT_EQ(intersection(here, {0, 0, size.width, size.height}), here)
+          << label.text << " is cut at " << size.width << "x" << size.height << ", frame " << frame;
+      for (std::size_t i = 0; i < inks.size(); ++i) {
+        const Rect common = intersection(here, inks[i]);
+        EXPECT_LE(common.height, 0.3 * here.height)  // a line's descenders may reach the next one's capitals
+            << label.text << " stands over " << shot.labels[i].text << " at " << size.width << "x" << size.height;
+      }
+      inks.push_back(here);
+    }
+  }
+}
+
+TEST(Storyboard, TextIsNeverCutAndNeverOverOtherText) {
+  const std::string title =
+      "title='A title that is longer than any other, so that no picture holds it in one line as it is'";
+  for (const Size& size : sizes) {
+    for (const char* name : {"fig06_undamped", "fig08_neither", "fig09b_matrix_large_step"}) {
+      expect_text_apart(load_scene(script(name), std::vector{title}), size);
+    }
+    for (const char* name : {"fig02_experiment", "compare_methods", "separatrix"}) {
+      expect_text_apart(load_scene(script(name)), size);
+      expect_text_apart(
+          load_scene(script(name), std::vector{title, std::string("book.1.name='the one with a long name'"),
+                                               std::string("view.head_up=['tilt', 'blend_defect', 'angle_error']")}),
+          size);
+    }
+  }
+}
+
+TEST(Storyboard, TextOfOneKindHasOneSizeInTheWholeFilm) {
+  const Scene scene =
+      load_scene(script("compare_methods"), std::vector{std::string("book.1.name='the matrix with its long name'")});
+  const Trajectory trajectory = simulate(scene);
+  const Storyboard storyboard(scene, trajectory, 1080, 1920);
+  std::map<std::string, std::set<double>> heights;
+  for (const int frame : {0, 500, 959}) {
+    for (const Label& label : storyboard.shot(frame).labels) {
+      heights[label.anchor_W  ? label.tabular ? "figure" : "name"
+              : label.tabular ? "time"
+                              : "title"]
+          .insert(label.height);
+    }
+  }
+  for (const auto& [kind, found] : heights) EXPECT_EQ(found.size(), 1U) << kind;
+  EXPECT_EQ(heights["figure"], heights["time"]);
+  EXPECT_LT(*heights["name"].begin(), 0.03);   // measured 0.015
+  EXPECT_EQ(*heights["title"].begin(), 0.04);  // as it should be: it has room
+}
+
+TEST(Storyboard, NamesOfBooksInOnePlaceStandBelowOneAnother) {
+  const Scene scene = load_scene(script("fig02_experiment"), std::vector{std::string("book.1.position=[0, 0, 0]"),
+                                                                         std::string("book.0.position=[0, 0, 0]")});
+  const Trajectory trajectory = simulate(scene);
+  const Shot shot = Storyboard(scene, trajectory, width, height).shot(0);
+  EXPECT_GT(find_label(shot, scene.books[1].name)->position.y(), find_label(shot, scene.books[0].name)->position.y());
+  for (const Size& size : sizes) expect_text_apart(scene, size);
+}
+
+TEST(Storyboard, SaysWhatTheFontLacks) {
+  const auto lacking = [](const std::string& title, const std::string& name) {
+    return lacking_characters(
+        load_scene(script("fig02_experiment"), std::vector{"title='" + title + "'", "book.1.name='" + name + "'"}));
+  };
+  EXPECT_TRUE(lacking("Größe, ω → ∞, 10⁻¹⁵", "Ærøskøbing Łódź").empty());
+  EXPECT_EQ(lacking("漢字漢", "about 𒀀"), (std::vector<std::string>{"title: '漢', '字'", "book.1.name: '𒀀'"}));
 }
 
 }  // namespace

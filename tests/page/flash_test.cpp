@@ -155,7 +155,7 @@ TEST_P(Flashes, AtMostThreeInAnySecondOfAnExplosion) {
   const bool explodes = std::any_of(trajectory.books.begin(), trajectory.books.end(),
                                     [](const BookTrack& b) { return b.exploded_frame.has_value(); });
   if (!explodes) return;
-  const Storyboard storyboard(scene, trajectory, static_cast<double>(width) / height);
+  const Storyboard storyboard(scene, trajectory, width, height);
   Renderer renderer(width, height, project);
   FlashMeter meter(width, height, scene.clip.fps);
   for (int n = 0; n < scene.clip.frames; ++n) meter.add(renderer.draw(storyboard.shot(n)));
