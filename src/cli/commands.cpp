@@ -16,6 +16,7 @@
 
 #include "cli/assets.h"
 #include "cli/standard_output.h"
+#include "cli/version.h"
 #include "cli/watch.h"
 #include "files/files.h"
 #include "film/film_data.h"
@@ -264,7 +265,7 @@ int report(const Options& options) {
   const auto seconds = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  make_report({folder, find_assets(options.assets), options.quick}, [&](std::string_view what) {
+  make_report({folder, find_assets(options.assets), options.quick, commit()}, [&](std::string_view what) {
     if (terminal) tell(fmt::format("\r\x1b[K{:4.0f} s  {}", seconds(), what));
   });
   if (terminal) tell("\r\x1b[K");

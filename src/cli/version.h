@@ -7,5 +7,6 @@
 namespace bookspin {
 
 [[nodiscard]] std::string version_text();
+[[nodiscard]] std::string commit();  // alone; empty when not built from a checkout
 
 }  // namespace bookspin

@@ -8,7 +8,6 @@
 #include "film/storyboard.h"
 #include "render/renderer.h"
 #include "report/draft.h"
-#include "report/work_precision.h"
 #include "scene/scene_file.h"
 #include "scene/simulate.h"
 #include "video/i420.h"
@@ -67,22 +66,20 @@ namespace {
 
 constexpr double frame = 0.5;  // of the paper's films of rotation: simulated time
 
-// Case a's runs give each solver's cost of a frame at each error: only those that no cheaper run of it beats.
-Series frontier(const Draft& draft, const Solver& solver, double exact_evaluation_ns) {
-  std::vector<std::pair<double, double>> by_cost;  // ms a frame, error
-  for (const Run& run : draft.runs) {
-    if (run.problem != Problem::case_a || run.solver != solver || run.outcome != Outcome::finished ||
-        run.setting > frame)
-      continue;
-    const double ns = solver == exact_solver ? exact_evaluation_ns : run.ns_per_time * frame;
+// (error, milliseconds a frame) of those runs that no cheaper one beats.
+Points frontier(const Ladder& ladder, double exact_evaluation_ns) {
+  Points by_cost;
+  for (const Run& run : ladder.runs) {
+    if (run.outcome != Outcome::finished || run.setting > frame) continue;
+    const double ns = ladder.solver == exact_solver ? exact_evaluation_ns : run.ns_per_time * frame;
     by_cost.emplace_back(1e-6 * ns, run.error);
   }
   std::sort(by_cost.begin(), by_cost.end());
-  Series series{name_of(solver), {}, pen_of(solver)};
+  Points best;
   for (const auto& [ms, error] : by_cost) {
-    if (series.points.empty() || error < series.points.back().first) series.points.emplace_back(error, ms);
+    if (best.empty() || error < best.back().first) best.emplace_back(error, ms);
   }
-  return series;
+  return best;
 }
 
 }  // namespace
@@ -91,18 +88,17 @@ void frame_costs(Draft& draft) {
   FrameCostOrder order{1280, 720, 240, 2, draft.order.project, draft.order.folder};
   if (draft.effort.quick) order = {320, 180, 20, 1, draft.order.project, draft.order.folder};
   const Scene scene = load_scene(draft.order.project / "videos" / "fig05_unstable_x.toml");
-  draft.cost = frame_cost(scene, order);
-  const FrameCost& cost = draft.cost;
+  const FrameCost cost = frame_cost(scene, order);
   const double rest = cost.drawing + cost.conversion + cost.encoding;
   const double all = cost.dynamics + rest;
   const auto part = [](double ms, double whole) { return fmt::format("{:.2g} %", 100.0 * ms / whole); };
-  Table table{{"stage", "CPU milliseconds a frame", "part"}, {}};
-  for (const auto& [stage, ms] :
-       {std::pair{fmt::format("dynamics: damped springs, {} steps, all measures", scene.clip.substeps), cost.dynamics},
-        std::pair{std::string("drawing (OpenGL on the CPU)"), cost.drawing},
-        std::pair{std::string("conversion to Y'CbCr"), cost.conversion},
-        std::pair{std::string("encoding (H.264)"), cost.encoding}, std::pair{std::string("all"), all}})
-    table.rows.push_back({stage, ms, part(ms, all)});
+  Table table{{"stage", "CPU milliseconds a frame", "part"},
+              {{fmt::format("dynamics: damped springs, {} steps, all measures", scene.clip.substeps), cost.dynamics},
+               {"drawing (OpenGL on the CPU)", cost.drawing},
+               {"conversion to Y'CbCr", cost.conversion},
+               {"encoding (H.264)", cost.encoding},
+               {"all", all}}};
+  for (std::vector<Cell>& row : table.rows) row.emplace_back(part(std::get<double>(row[1]), all));
   draft.keep("frame_cost", table);
 
   Table accuracy{{"dynamics of one frame", "error reached in case a", "CPU microseconds", "part of the frame"}, {}};
@@ -112,20 +108,20 @@ void frame_costs(Draft& draft) {
   plot.more = {
       fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead lc rgb '#000000' lw 1.5 dt 2", rest),
       fmt::format("set label 'drawing and encoding: {:.1f} ms' at graph 0.02, first {} offset 0, 0.6", rest, rest)};
-  const double evaluation_ns = exact_cost().evaluation_ns;
   double dearest = 0.0;
-  for (const Solver& solver : rigid_solvers()) {
-    Series series = frontier(draft, solver, evaluation_ns);
-    if (series.points.empty()) continue;
-    const auto& [error, ms] = series.points.back();
+  for (const Ladder& ladder : draft.runs[Problem::case_a]) {
+    const Points points = frontier(ladder, draft.exact_evaluation_ns);
+    if (ladder.solver.odeint || points.empty()) continue;
+    const auto& [error, ms] = points.back();
     dearest = std::max(dearest, ms);
-    accuracy.rows.push_back({series.title, error, 1e3 * ms, part(ms, ms + rest)});
-    plot.series.push_back(std::move(series));
+    accuracy.rows.push_back({name_of(ladder.solver), error, 1e3 * ms, part(ms, ms + rest)});
+    plot.series.push_back({name_of(ladder.solver), points, pen_of(ladder.solver)});
   }
   draft.plot("accuracy_in_a_film", plot);
   draft.keep("accuracy_in_a_film", accuracy);
   draft.page["frame"] = {{"time", frame},
-                         {"ms", all},
+                         {"dynamics_ms", cost.dynamics},
+                         {"steps", scene.clip.substeps},
                          {"rest_ms", rest},
                          {"size", fmt::format("{}×{}", order.width, order.height)},
                          {"renderer", cost.renderer},

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "report/cost.h"
 #include "report/measure.h"
 #include "report/plots.h"
 #include "report/report.h"
+#include "scene/judge.h"
 
 namespace bookspin {
 
@@ -25,20 +25,33 @@ struct ModelError {
   double all;          // of the run from the rigid motion
 };
 
+// A scene script of videos/ with overrides, judged by expectations written into it, inline tables with one bound each:
+// exactly what `bookspin check SCRIPT --set ... --set 'expect=[...]'` prints as "found".
+struct Trial {
+  std::string script;
+  std::vector<std::string> overrides;
+  std::vector<std::string> expect;
+
+  [[nodiscard]] std::vector<std::string> all_overrides() const;
+};
+
 struct Draft {
   const ReportOrder& order;
   Effort effort;
   Tell say;
-  Runs runs{};  // of all work-precision ladders
+  Runs runs{};                        // of all work-precision ladders
+  double exact_evaluation_ns = none;  // of the exact motion at one time
   std::vector<ModelError> model_errors{};
-  FrameCost cost{};
-  nlohmann::ordered_json tables{};             // for report.json
-  nlohmann::json page{};                       // what page.html shows
+  nlohmann::ordered_json tables{};  // for report.json
+  nlohmann::json page{};            // what page.html shows
+  std::map<std::vector<std::string>, Trajectory> motions{};
   std::map<std::string, std::string> files{};  // name -> text: all of the report but the page, until it is published
 
   // Keeps a table under this name: as CSV, in the JSON, and in the page's `tables`.
   void keep(const std::string& name, const Table& table);
   void plot(const std::string& name, const Plot& plot);  // as NAME.svg
+  // A motion that several trials share is simulated once.
+  [[nodiscard]] std::vector<Verdict> judge(const Trial& trial);
 };
 
 // Each section computes, keeps its tables and plots, and says its numbers to the page; in this order.

@@ -17,12 +17,8 @@ using Vector24 = Eigen::Matrix<double, 24, 1>;
 // Distances from the axis of omega: what the centrifugal force pulls at.
 Vector24 from_axis(const Vector24& x, const Eigen::Vector3d& omega) {
   const Eigen::Vector3d axis = omega.normalized();
-  Vector24 result;
-  for (Eigen::Index i = 0; i < 8; ++i) {
-    const Eigen::Vector3d corner = x.segment<3>(3 * i);
-    result.segment<3>(3 * i) = corner - axis * axis.dot(corner);
-  }
-  return result;
+  const Corners corners = x.reshaped(3, 8);
+  return (corners - axis * (axis.transpose() * corners)).reshaped();
 }
 
 // The turning book's springs start at rest, so that each mode swings by a = omega^2 f / lambda about its balance, f the
@@ -33,24 +29,20 @@ double predicted_undamped_explosion(const BookOptions& options, double h) {
   const Corners rest = body_of(options).corners_B;
   const Vector24 pull = modes.vectors.transpose() * from_axis(rest.reshaped(), options.omega_W);
   const auto moved = [&](double t) {
-    Eigen::Matrix<double, 8, 1> distance = Eigen::Matrix<double, 8, 1>::Zero();
+    Eigen::RowVectorXd distance = Eigen::RowVectorXd::Zero(8);
     for (int mode = 0; mode < 24; ++mode) {
       const double lambda = modes.mu(mode) * options.stiffness / options.particle_mass;
       if (lambda < 1e-9) continue;
       const double amplitude = std::abs(pull(mode)) * options.omega_W.squaredNorm() / lambda *
                                std::exp(std::log1p(h * h * lambda) / (2.0 * h) * t);
-      for (Eigen::Index i = 0; i < 8; ++i) distance(i) += amplitude * modes.vectors.col(mode).segment<3>(3 * i).norm();
+      distance += amplitude * modes.vectors.col(mode).reshaped(3, 8).colwise().norm();
     }
     return distance.maxCoeff();
   };
-  double before = 0.0;
-  double after = 1.0;
-  while (moved(after) < 0.5 * options.size.norm()) after *= 2.0;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (before + after);
-    (moved(middle) < 0.5 * options.size.norm() ? before : after) = middle;
-  }
-  return after;
+  const auto whole = [&](double t) { return moved(t) < 0.5 * options.size.norm(); };
+  double late = 1.0;
+  while (whole(late)) late *= 2.0;
+  return bisect(0.0, late, 60, whole);
 }
 
 // Damped, the book is always in balance: (K - m omega^2 P) u = m omega^2 P x, P taking the distance from the axis.
@@ -90,10 +82,10 @@ long steps_to_explosion(const BookOptions& options, double h, long most) {
 }
 
 struct Explosion {
-  int substeps;
+  double substeps;
   bool damped;
   double predicted;
-  double measured = std::nan("");  // NaN: not tried
+  double measured = none;  // not tried, or not seen
 };
 
 // Frames of 0.1, books that spin at 0.6 about z (Figure 7) and 0.7 about x (Figure 8).
@@ -102,12 +94,11 @@ constexpr double frame = 0.1;
 std::vector<Explosion> explosions(bool quick) {
   std::vector<Explosion> rows;
   std::vector<std::future<long>> runs;  // at once, on all cores: nothing is timed here
-  for (const int substeps : quick ? std::vector<int>{4, 16} : std::vector<int>{3, 6, 12, 25, 50, 100, 200, 400, 1000}) {
-    const double h = frame / substeps;
-    for (const bool damped : {true, false}) {
-      BookOptions options;
-      options.normalize_every = 0;
-      options.damping = damped ? 1.0 : 0.0;
+  for (const bool damped : {true, false}) {
+    for (const double substeps :
+         quick ? std::vector<double>{4, 16} : std::vector<double>{3, 6, 12, 25, 50, 100, 200, 400, 1000}) {
+      const double h = frame / substeps;
+      BookOptions options{.normalize_every = 0, .damping = damped ? 1.0 : 0.0};
       options.omega_W = damped ? Eigen::Vector3d(0.0, 0.0, 0.6) : Eigen::Vector3d(0.7, 0.0, 0.0);
       rows.push_back({substeps, damped,
                       damped ? predicted_damped_explosion(options, h) : predicted_undamped_explosion(options, h)});
@@ -117,55 +108,53 @@ std::vector<Explosion> explosions(bool quick) {
     }
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const long steps = runs[i].get();
-    if (steps > 0) rows[i].measured = static_cast<double>(steps) * frame / rows[i].substeps;
+    if (const long steps = runs[i].get(); steps > 0)
+      rows[i].measured = static_cast<double>(steps) * frame / rows[i].substeps;
   }
   return rows;
 }
 
 // How a time grew from the smallest number of substeps to the largest.
-nlohmann::json growth(const std::vector<Explosion>& rows, bool damped) {
-  const Explosion* first = nullptr;
-  const Explosion* last = nullptr;
+nlohmann::json growth(std::vector<Explosion> rows, bool damped) {
+  std::erase_if(rows, [damped](const Explosion& row) { return row.damped != damped || row.measured == none; });
+  if (rows.size() < 2) return {};
+  const Explosion& first = rows.front();
+  const Explosion& last = rows.back();
+  const double substeps = last.substeps / first.substeps;
+  const double times = last.measured / first.measured;
   double most = 0.0;  // measured over predicted
-  for (const Explosion& row : rows) {
-    if (row.damped != damped || !std::isfinite(row.measured)) continue;
-    if (first == nullptr) first = &row;
-    last = &row;
-    most = std::max(most, row.measured / row.predicted);
-  }
-  if (last == nullptr || last == first) return {};
-  const double substeps = static_cast<double>(last->substeps) / first->substeps;
-  const double times = last->measured / first->measured;
-  return {{"from", first->substeps},
-          {"to", last->substeps},
+  for (const Explosion& row : rows) most = std::max(most, row.measured / row.predicted);
+  return {{"from", first.substeps},
+          {"to", last.substeps},
           {"substeps", substeps},
           {"times", times},
           {"power", fmt::format("{:.2f}", std::log(times) / std::log(substeps))},
           {"most", fmt::format("{:.2f}", most)},
-          {"last", last->measured},
-          {"last_predicted", last->predicted}};
+          {"last", last.measured},
+          {"last_predicted", last.predicted}};
 }
 
 void what_normalization_hides(Draft& draft) {
   const Scene scene = load_scene(draft.order.project / "videos" / "normalization_hides.toml");
   const Trajectory trajectory = simulate(scene);
+  const std::vector<BookFrame>& frames = trajectory.books.front().frames;
+  const auto time = [&](const BookFrame& f) {
+    return static_cast<double>(&f - frames.data()) * scene.clip.time_per_frame;
+  };
   Table table{{"time", "energy ratio", "angular momentum ratio", "stretch"}, {}};
-  Series energy{"energy", {}, {color::blue}, Mark::line};
-  Series momentum{"angular momentum", {}, {color::vermillion}, Mark::line};
-  double t = 0.0;
-  int n = 0;
-  for (const BookFrame& f : trajectory.books.front().frames) {
-    t = n++ * scene.clip.time_per_frame;
-    table.rows.push_back({t, f[Q::energy_ratio], f[Q::angular_momentum_ratio], f[Q::stretch]});
-    energy.points.emplace_back(t, f[Q::energy_ratio]);
-    momentum.points.emplace_back(t, f[Q::angular_momentum_ratio]);
-  }
-  draft.page["hides"] = {
-      {"time", t}, {"energy", energy.points.back().second}, {"momentum", momentum.points.back().second}};
+  for (const BookFrame& f : frames)
+    table.rows.push_back({time(f), f[Q::energy_ratio], f[Q::angular_momentum_ratio], f[Q::stretch]});
+  const auto over_time = [&](Q quantity) {
+    return points(
+        frames, [](const BookFrame&) { return true; }, time, [=](const BookFrame& f) { return f[quantity]; });
+  };
+  draft.page["hides"] = {{"time", time(frames.back())},
+                         {"energy", frames.back()[Q::energy_ratio]},
+                         {"momentum", frames.back()[Q::angular_momentum_ratio]}};
   Plot plot{"time", "relative to the start", false, false};
   plot.y_range = "[0:1.2]";
-  plot.series = {std::move(energy), std::move(momentum)};
+  plot.series = {{"energy", over_time(Q::energy_ratio), {color::blue}, Mark::line},
+                 {"angular momentum", over_time(Q::angular_momentum_ratio), {color::vermillion}, Mark::line}};
   draft.plot("what_normalization_hides", plot);
   draft.keep("what_normalization_hides", table);
 }
@@ -177,23 +166,15 @@ void explosion(Draft& draft) {
   Table table{
       {"substeps a frame", "springs", "predicted time", "measured time", "measured / predicted", "measured frames"},
       {}};
+  for (const auto& [substeps, damped, predicted, measured] : rows)
+    table.rows.push_back(
+        {substeps, damped ? "damped" : "undamped", predicted, measured, measured / predicted, measured / frame});
   Plot plot{"substeps a frame of 0.1", "time to explosion"};
   plot.more = {"set key inside left top"};
-  for (const bool damped : {true, false}) {
-    const Pen pen{damped ? color::blue : color::vermillion};
-    Series predicted{damped ? "damped: predicted" : "undamped: predicted", {}, pen, Mark::line};
-    Series measured{"measured", {}, pen, Mark::points};
-    for (const Explosion& row : rows) {
-      if (row.damped != damped) continue;
-      const double substeps = row.substeps;
-      table.rows.push_back({substeps, damped ? "damped" : "undamped", row.predicted, row.measured,
-                            row.measured / row.predicted, row.measured / frame});
-      predicted.points.emplace_back(substeps, row.predicted);
-      measured.points.emplace_back(substeps, row.measured);
-    }
-    plot.series.push_back(std::move(predicted));
-    plot.series.push_back(std::move(measured));
-  }
+  for (const bool damped : {true, false})
+    add_predicted_and_measured(
+        plot, damped ? "damped: predicted" : "undamped: predicted", {damped ? color::blue : color::vermillion}, rows,
+        [=](const Explosion& row) { return row.damped == damped; }, &Explosion::substeps);
   draft.plot("time_to_explosion", plot);
   draft.keep("time_to_explosion", table);
   const Eigen::VectorXd mu = spring_modes(BookOptions().size).mu;

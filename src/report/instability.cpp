@@ -1,9 +1,9 @@
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <optional>
 
 #include "dynamics/rigid_motion.h"
 #include "dynamics/shape.h"
@@ -15,7 +15,6 @@ namespace {
 constexpr double spin = 0.11482;
 constexpr double h = 0.1 / 6.0;  // of the paper's program
 constexpr int steps_a_sample = 6;
-constexpr double never = std::numeric_limits<double>::infinity();
 
 // All rigid solvers, the paper's springs, and undamped springs by everything better.
 std::vector<Solver> contenders() {
@@ -78,39 +77,34 @@ constexpr double lowest_tilt(double kick) {
   return 30.0 * kick;
 }
 
-// Slope of ln(tilt) over t.
+// Slope of ln(tilt) over t, by least squares.
 double growth_rate(const Solver& solver, double kick) {
-  double n = 0.0, st = 0.0, sy = 0.0, stt = 0.0, sty = 0.0;
+  std::vector<double> times, logs;
   follow(solver, kicked(solver, kick), 1000.0, [&](double t, const Eigen::Vector3d& L) {
     const double tilt = std::atan2(L.tail<2>().norm(), L.x());
     if (tilt > highest_tilt || !(tilt >= 0.0)) return false;
     if (tilt > lowest_tilt(kick)) {
-      const double y = std::log(tilt);
-      n += 1.0;
-      st += t;
-      sy += y;
-      stt += t * t;
-      sty += t * y;
+      times.push_back(t);
+      logs.push_back(std::log(tilt));
     }
     return true;
   });
-  return (n * sty - st * sy) / (n * stt - st * st);
+  const auto n = static_cast<Eigen::Index>(times.size());
+  const Eigen::VectorXd t = Eigen::VectorXd::Map(times.data(), n);
+  const Eigen::VectorXd from_mean = t.array() - t.mean();
+  return from_mean.dot(Eigen::VectorXd::Map(logs.data(), n)) / from_mean.squaredNorm();
 }
 
 // When the tilt passes 90 degrees: the zero of L's component along the spin axis, on the chord between two samples.
 double flip_time(const Solver& solver, const BookOptions& options, double most) {
-  double flip = never;
+  double flip = none;
   double t_before = 0.0;
   double before = 0.0;
   follow(solver, options, most, [&](double t, const Eigen::Vector3d& L) {
-    if (!L.allFinite()) return false;
-    if (L.x() <= 0.0) {
-      flip = t_before + (t - t_before) * before / (before - L.x());
-      return false;
-    }
+    if (L.x() <= 0.0) flip = t_before + (t - t_before) * before / (before - L.x());
     t_before = t;
     before = L.x();
-    return true;
+    return L.x() > 0.0;  // false of NaN, too
   });
   return flip;
 }
@@ -119,13 +113,20 @@ double theory(double kick) {
   return exact_motion(kicked(exact_solver, kick)).first_flip();
 }
 
+struct Range {
+  double least = none;
+  double largest = -none;
+  void add(double value) {
+    least = std::min(least, value);
+    largest = std::max(largest, value);
+  }
+};
+
 void growth_rates(Draft& draft, double sigma) {
   const double kick = draft.effort.quick ? 1e-4 : 1e-6;
   Table table{{"method", "growth rate", "growth rate / sigma - 1"}, {}};
-  double exact = 0.0;
-  double euler = 0.0;                        // farthest from the exact row: rigid explicit Euler,
-  double higher = 0.0;                       // the other rigid methods
-  double slowest = never, fastest = -never;  // springs
+  double exact = 0.0;            // what follows is the distance from it
+  Range euler, higher, springs;  // rigid methods of order 1, and of higher ones
   for (const Solver& solver : contenders()) {
     const double rate = growth_rate(solver, kick);
     const double off = rate / sigma - 1.0;
@@ -133,16 +134,15 @@ void growth_rates(Draft& draft, double sigma) {
     if (solver == exact_solver) {
       exact = off;
     } else if (solver.method == Method::springs) {
-      slowest = std::min(slowest, off - exact);
-      fastest = std::max(fastest, off - exact);
+      springs.add(off - exact);
     } else {
-      double& most = solver.integrator == Integrator::explicit_euler ? euler : higher;
-      most = std::max(most, std::abs(off - exact));
+      (info_of(solver.integrator).order == 1 ? euler : higher).add(std::abs(off - exact));
     }
   }
   draft.keep("growth_rates", table);
-  draft.page["growth"] = {{"from", lowest_tilt(kick)}, {"to", highest_tilt}, {"exact", exact},    {"euler", euler},
-                          {"higher", higher},          {"slowest", slowest}, {"fastest", fastest}};
+  draft.page["growth"] = {{"from", lowest_tilt(kick)}, {"to", highest_tilt},       {"exact", exact},
+                          {"euler", euler.largest},    {"higher", higher.largest}, {"slowest", springs.least},
+                          {"fastest", springs.largest}};
 }
 
 void flip_times(Draft& draft) {
@@ -153,64 +153,56 @@ void flip_times(Draft& draft) {
   for (int n = 2; n <= 15; n += draft.effort.quick ? 5 : 1) kicks.push_back(std::pow(10.0, -n));
   kicks.push_back(0.0);
   Table table{{"kick", "theory"}, {}};
-  for (const Solver& solver : all) table.columns.push_back(title_of(solver));
   Table summary{{"kick", "theory", "rigid methods", "springs", "but never"}, {}};
   Plot plot{"kick, relative to the spin", "time of the first flip, distance from theory"};
   plot.y_range = "[1e-6:1e3]";
-  for (const Solver& solver : all) plot.series.push_back({title_of(solver), {}, pen_of(solver)});
-  double springs_from = never, springs_to = 0.0;  // without a kick
-  int rigid_flips = 0;
+  for (const Solver& solver : all) {
+    table.columns.push_back(title_of(solver));
+    plot.series.push_back({title_of(solver), {}, pen_of(solver)});
+  }
+  std::array<Range, 2> flips;       // of the rigid methods and of the springs, at the last kick: none
   std::optional<double> forgotten;  // the largest kick that the matrix does not flip from
   for (const double kick : kicks) {
     const double expected = theory(kick);
-    std::vector<Cell> row{kick, expected};
-    std::array<double, 2> least{never, never};
-    std::array<double, 2> largest{0.0, 0.0};
-    std::array<std::vector<std::string>, 2> none;
+    table.rows.push_back({kick, expected});
+    flips = {};
+    std::array<std::vector<std::string>, 2> never;
     for (std::size_t i = 0; i < all.size(); ++i) {
       const bool springs = all[i].method == Method::springs;
       const double t = flip_time(all[i], kicked(all[i], kick), springs ? most_springs : most);
-      row.push_back(std::isfinite(t) ? Cell(t) : Cell("never"));
-      if (!std::isfinite(t)) {
-        none[springs].push_back(title_of(all[i]));
+      table.rows.back().push_back(number_or("never", t));
+      if (t != none) {
+        flips[springs].add(t);
+        plot.series[i].points.emplace_back(kick, std::max(1e-6, std::abs(t - expected)));
+      } else {
+        never[springs].push_back(title_of(all[i]));
         if (all[i].method == Method::matrix && expected < most && !forgotten) forgotten = kick;
-        continue;
       }
-      least[springs] = std::min(least[springs], t);
-      largest[springs] = std::max(largest[springs], t);
-      plot.series[i].points.emplace_back(kick, std::max(1e-6, std::abs(t - expected)));
-      if (kick > 0.0) continue;
-      if (!springs) ++rigid_flips;
-      if (springs) springs_from = std::min(springs_from, t);
-      if (springs) springs_to = std::max(springs_to, t);
     }
-    const auto range = [&](bool springs) -> std::string {
-      return std::isfinite(least[springs]) ? fmt::format("{:.2f} to {:.2f}", least[springs], largest[springs])
-                                           : "never";
-    };
-    std::vector<std::string> exceptions;
+    std::vector<std::string> exceptions;  // of a kind of which others flip
+    summary.rows.push_back({kick, expected == none ? "never" : fmt::format("{:.2f}", expected)});
     for (const bool springs : {false, true}) {
-      if (std::isfinite(least[springs]))
-        exceptions.insert(exceptions.end(), none[springs].begin(), none[springs].end());
+      const auto& [least, largest] = flips[springs];
+      summary.rows.back().emplace_back(least == none ? "never" : fmt::format("{:.2f} to {:.2f}", least, largest));
+      if (least != none) exceptions.insert(exceptions.end(), never[springs].begin(), never[springs].end());
     }
-    summary.rows.push_back({kick, std::isfinite(expected) ? fmt::format("{:.2f}", expected) : "never", range(false),
-                            range(true), fmt::format("{}", fmt::join(exceptions, "; "))});
-    table.rows.push_back(std::move(row));
+    summary.rows.back().emplace_back(fmt::format("{}", fmt::join(exceptions, "; ")));
   }
   draft.plot("flip_times", plot);
   draft.keep("flip_times", table);
   draft.keep("flip_times_summary", summary);
-  nlohmann::json page{{"from", kicks.front()},        {"to", kicks[kicks.size() - 2]}, {"most", most},
-                      {"most_springs", most_springs}, {"rigid_flips", rigid_flips},    {"none_flips", rigid_flips == 0},
-                      {"rounding", theory(1e-16)}};
-  if (springs_to > 0.0) page["springs"] = {{"from", springs_from}, {"to", springs_to}};
+  nlohmann::json& page = draft.page["flips"];
+  page = {{"most", most},
+          {"most_springs", most_springs},
+          {"none_flips", flips[false].least == none},
+          {"rounding", theory(1e-16)}};
+  if (flips[true].least != none) page["springs"] = {{"from", flips[true].least}, {"to", flips[true].largest}};
   if (forgotten) {
     BookOptions options = kicked({Method::matrix}, *forgotten);
     options.normalize_every = 0;
     const double t = flip_time({Method::matrix}, options, most);
-    page["forgotten"] = {{"kick", *forgotten}, {"flips", std::isfinite(t)}, {"time", t}};
+    page["forgotten"] = {{"kick", *forgotten}, {"flips", t != none}, {"time", t}};
   }
-  draft.page["flips"] = std::move(page);
 }
 
 }  // namespace

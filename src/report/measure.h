@@ -1,9 +1,9 @@
 // The measuring of one run: its error at the samples, its work, and the least CPU time that it was seen to take.
 //
-// A run starts by start() and is carried from sample to sample by to(sample); the first pass takes the errors, further
-// passes the time. What is measured, and where a ladder of runs ends, is decided by evaluations of the right-hand side,
-// never by a clock: a slow or busy machine finds the same runs and the same errors. A run that ends in non-finite
-// numbers diverged; one whose step-size control gives up stalled.
+// A runner is carried from sample to sample by to(sample), 0 ... samples - 1, which is false when it stalls; `state` is
+// where it is, `evaluations` counts those of the right-hand side. The first pass takes the errors, further passes the
+// time. What is measured, and where a ladder of runs ends, is decided by evaluations, never by a clock: a slow or busy
+// machine finds the same runs and the same errors.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,8 @@ struct Effort {
 
 struct Course {
   int samples;
-  double T;  // the last sample's time
+  double T;             // the last sample's time
+  double fewest = 1.0;  // steps a sample, of the coarsest run
   [[nodiscard]] double interval() const { return T / samples; }
 };
 
@@ -43,7 +44,7 @@ inline double cpu_ns() {  // of the process so far
 // CPU nanoseconds of work(), the least of `passes`.
 template <class Work>
 double least_ns(int passes, Work&& work) {
-  double least = 1e300;
+  double least = none;
   for (int pass = 0; pass < passes; ++pass) {
     const double start = cpu_ns();
     work();
@@ -52,75 +53,69 @@ double least_ns(int passes, Work&& work) {
   return least;
 }
 
-// start() -> runner; runner.to(i) -> bool, carries it to sample i (0 ... samples - 1), false when it stalls;
-// runner.state(); runner.evaluations(); error(state, i), of which the largest counts: one that is not below 1000 is that
-// of a run that diverged.
+// start() -> runner; error(state, sample), of which the largest counts: one that is not below 1000 is that of a run
+// which diverged.
 template <class Start, class Error>
-[[nodiscard]] Run measure(Run run, const Course& course, const Effort& effort, Start&& start, Error&& error) {
+[[nodiscard]] Run measure(double setting, const Course& course, const Effort& effort, Start&& start, Error&& error) {
+  Run run{setting, 0.0};
   const double begin = cpu_ns();
   auto runner = start();
   for (int i = 0; i < course.samples && run.outcome == Outcome::finished; ++i) {
     if (!runner.to(i)) {
       run.outcome = Outcome::stalled;
-    } else if (const double e = error(runner.state(), i); e < 1e3) {
+    } else if (const double e = error(runner.state, i); e < 1e3) {
       run.error = std::max(run.error, e);
     } else {
       run.outcome = Outcome::diverged;
     }
-    if (run.outcome != Outcome::finished) run.ns_per_time = (cpu_ns() - begin) / ((i + 1) * course.interval());
+    if (run.outcome != Outcome::finished) {
+      run.error = none;
+      run.ns_per_time = (cpu_ns() - begin) / ((i + 1) * course.interval());
+    }
   }
-  run.evaluations = runner.evaluations();
-  if (run.outcome != Outcome::finished) {
-    run.error = std::nan("");
-    return run;
-  }
+  run.evaluations = runner.evaluations;
+  if (run.outcome != Outcome::finished) return run;
   // A short run is timed several times in one go, so that reading the clock does not count.
   const long evaluations = std::max(run.evaluations, 1L);
   const long together = std::max(1L, std::min(effort.timed, 2000L) / evaluations);
   const int repeats = std::max(effort.repeats, static_cast<int>(std::min(20L, effort.timed / evaluations)));
-  run.ns_per_time = least_ns(repeats,
-                             [&] {
-                               for (long n = 0; n < together; ++n) {
-                                 auto timed = start();
-                                 for (int i = 0; i < course.samples; ++i) (void)timed.to(i);
-                                 asm volatile("" : : "g"(&timed.state()) : "memory");  // else it is left out as unused
-                               }
-                             }) /
-                    (course.T * static_cast<double>(together));
+  const auto pass = [&] {
+    for (long n = 0; n < together; ++n) {
+      auto timed = start();
+      for (int i = 0; i < course.samples; ++i) (void)timed.to(i);
+      asm volatile("" : : "g"(&timed.state) : "memory");  // else it is left out as unused
+    }
+  };
+  run.ns_per_time = least_ns(repeats, pass) / (course.T * static_cast<double>(together));
   return run;
 }
 
 // A book carried from sample to sample by equal steps.
 template <class Book>
-class Stepped {
- public:
-  Stepped(Book book, Integrator integrator, double interval, long steps)
-      : book_(std::move(book)), integrator_(integrator), h_(interval / static_cast<double>(steps)), steps_(steps) {}
+struct Stepped {
+  Book state;
+  double h;
+  long steps;  // from one sample to the next
+  int evaluations_a_step;
+  long evaluations = 0;
+
   bool to(int /*sample*/) {
-    for (long i = 0; i < steps_; ++i) book_.step(h_);
-    taken_ += steps_;
+    for (long i = 0; i < steps; ++i) state.step(h);
+    evaluations += steps * evaluations_a_step;
     return true;
   }
-  [[nodiscard]] const Book& state() const { return book_; }
-  [[nodiscard]] long evaluations() const { return taken_ * evaluations_a_step(integrator_); }
-
- private:
-  Book book_;
-  Integrator integrator_;
-  double h_;
-  long steps_;
-  long taken_ = 0;
 };
 
 // Runs at ever finer settings: until the next run would pass the limit of work, or until rounding has long taken over.
 template <class Settings, class RunAt>
-void climb(const Effort& effort, const Settings& settings, Runs& runs, RunAt&& run_at) {
-  double best = 1e300;
+[[nodiscard]] std::vector<Run> climb(const Effort& effort, const Settings& settings, RunAt&& run_at) {
+  std::vector<Run> runs;
+  double best = none;
   int worse = 0;
   int stalled = 0;  // in a row: the loosest tolerances of an adaptive method may do so
   double spent = 0.0;
   for (const auto setting : settings) {
-    Run run = run_at(setting);
+    const Run& run = runs.emplace_back(run_at(setting));
     const auto last = static_cast<double>(run.evaluations);
     spent += last;
     if (run.outcome == Outcome::finished) {
@@ -128,11 +123,11 @@ void climb(const Effort& effort, const Settings& settings, Runs& runs, RunAt&& r
       best = std::min(best, run.error);
     }
     stalled = run.outcome == Outcome::stalled ? stalled + 1 : 0;
-    runs.push_back(std::move(run));
     if (stalled == 3 || (stalled > 0 && best < 1e-2) || (best < 1e-7 && worse >= 4) ||
         spent + last * std::pow(1.42, effort.ladder) > static_cast<double>(effort.most_evaluations))
       break;
   }
+  return runs;
 }
 
 // Numbers of steps: fewest times 1, 1.5, 2, 3, 4, 6, 8, ..., each once.
@@ -146,29 +141,40 @@ inline std::vector<long> step_ladder(double fewest, double ladder) {
   return steps;
 }
 
-// Tolerances of adaptive methods: 0.1, 0.03, 0.01, ... 1e-16.
-inline std::vector<double> tolerance_ladder(double ladder) {
-  std::vector<double> tolerances;
-  for (double decades = 1.0; decades <= 16.0; decades += 0.5 * ladder) tolerances.push_back(std::pow(10.0, -decades));
-  return tolerances;
+// The ladder of what is stepped: `book` is copied for each run.
+template <class Book, class Error>
+[[nodiscard]] std::vector<Run> climb_steps(const Book& book, int evaluations_a_step, const Course& course,
+                                           const Effort& effort, Error&& error) {
+  return climb(effort, step_ladder(course.fewest, effort.ladder), [&](long steps) {
+    const double h = course.interval() / static_cast<double>(steps);
+    return measure(
+        h, course, effort,
+        [&] {
+          return Stepped<Book>{book, h, steps, evaluations_a_step};
+        },
+        error);
+  });
 }
 
-// The ladder of a solver that is a book of the program, stepped through the course by `fewest` steps a sample and more.
-template <class Error>
-void climb_steps(Problem problem, const Solver& solver, const BookOptions& options, const Course& course, double fewest,
-                 const Effort& effort, Runs& runs, Error&& error) {
-  const BookOptions with = options_for(solver, options);
+// visit(book) for the solver's book of these options, when it is one that is stepped.
+template <class Visit>
+void visit_stepped(const Solver& solver, const BookOptions& options, Visit&& visit) {
   std::visit(
       [&](const auto& book) {
-        if constexpr (requires(std::decay_t<decltype(book)> b) { b.step(1.0); }) {
-          climb(effort, step_ladder(fewest, effort.ladder), runs, [&](long steps) {
-            return measure(
-                {problem, solver, course.interval() / static_cast<double>(steps)}, course, effort,
-                [&] { return Stepped(book, with.integrator, course.interval(), steps); }, error);
-          });
-        }
+        if constexpr (requires(std::decay_t<decltype(book)> b) { b.step(1.0); }) visit(book);
       },
-      make_book(solver.method, with));
+      make_book(solver.method, options_for(solver, options)));
+}
+
+// The ladders of these solvers, each a book of the program.
+template <class Error>
+void climb_all(const std::vector<Solver>& solvers, const BookOptions& options, const Course& course,
+               const Effort& effort, Ladders& ladders, Error&& error) {
+  for (const Solver& solver : solvers) {
+    visit_stepped(solver, options, [&](const auto& book) {
+      ladders.push_back({solver, climb_steps(book, evaluations_a_step(solver.integrator), course, effort, error)});
+    });
+  }
 }
 
 }  // namespace bookspin

@@ -1,7 +1,8 @@
 // Boost.Odeint's methods, carried from sample to sample: rk4 by fixed steps, the others by step-size control.
 //
-// State: a std::array of doubles; System: a function object (x, dxdt, t). A control that tries more than `most_tries`
-// steps from one sample to the next, or throws, has stalled. Source: Boost.Numeric.Odeint's documentation, "Steppers".
+// State: a std::array of doubles; System: a function object (x, dxdt, t) that does not depend on t. A control that tries
+// more than `most_tries` steps from one sample to the next, or throws, has stalled. Source: Boost.Numeric.Odeint's
+// documentation, "Steppers".
 #pragma once
 
 #include <algorithm>
@@ -12,102 +13,79 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <exception>
-#include <type_traits>
 
 #include "report/measure.h"
 
 namespace bookspin {
 
-template <class System>
-struct Counted {
-  const System& system;
-  long& evaluations;
-
-  template <class State>
-  void operator()(const State& x, State& dxdt, double t) const {
-    ++evaluations;
-    system(x, dxdt, t);
-  }
-};
-
 template <class State, class System>
-class OdeintFixed {
- public:
-  OdeintFixed(const State& x, const System& system, double interval, long steps)
-      : x_(x), system_(system), h_(interval / static_cast<double>(steps)), steps_(steps) {}
-  bool to(int /*sample*/) {
-    const Counted<System> counted{system_, evaluations_};
-    for (long i = 0; i < steps_; ++i) stepper_.do_step(counted, x_, 0.0, h_);  // the systems here do not depend on t
-    return true;
-  }
-  [[nodiscard]] long evaluations() const { return evaluations_; }
-  [[nodiscard]] const State& state() const { return x_; }
+struct OdeintRk4 {
+  System system;
+  State x;
+  boost::numeric::odeint::runge_kutta4<State> stepper{};
 
- private:
-  boost::numeric::odeint::runge_kutta4<State> stepper_;
-  State x_;
-  System system_;
-  double h_;
-  long steps_;
-  long evaluations_ = 0;
+  void step(double h) { stepper.do_step(system, x, 0.0, h); }
 };
 
-template <class Make, class State, class System>
-class OdeintControlled {
- public:
-  OdeintControlled(const Make& make, const State& x, const System& system, double interval, double first_step)
-      : stepper_(make()), x_(x), system_(system), interval_(interval), step_(first_step) {}
+template <class Stepper, class State, class System>
+struct OdeintControlled {
+  static constexpr long most_tries = 50000;
+  System system;
+  State state;
+  Stepper stepper;
+  double interval;
+  double h;  // wanted next
+  double t = 0.0;
+  long evaluations = 0;
+
   bool to(int sample) {
-    const double end = (sample + 1) * interval_;
-    const Counted<System> counted{system_, evaluations_};
+    const double end = (sample + 1) * interval;
+    const auto counted = [this](const State& x, State& dxdt, double time) {
+      ++evaluations;
+      system(x, dxdt, time);
+    };
     long tries = 0;
     try {
-      while (end - t_ > 1e-14 * end) {
-        const double wanted = step_;
-        double step = std::min(wanted, end - t_);
-        const bool cut = step < wanted;
-        const auto result = stepper_.try_step(counted, x_, t_, step);
-        step_ = result == boost::numeric::odeint::success && cut ? std::max(step, wanted) : step;
-        if (++tries > most_tries || !(step_ > 0.0)) return false;
+      while (end - t > 1e-14 * end) {
+        double step = std::min(h, end - t);
+        const bool cut = step < h;
+        const auto result = stepper.try_step(counted, state, t, step);
+        h = result == boost::numeric::odeint::success && cut ? std::max(step, h) : step;
+        if (++tries > most_tries || !(h > 0.0)) return false;
       }
     } catch (const std::exception&) {
       return false;
     }
     return true;
   }
-  [[nodiscard]] long evaluations() const { return evaluations_; }
-  [[nodiscard]] const State& state() const { return x_; }
-
- private:
-  static constexpr long most_tries = 50000;
-  std::invoke_result_t<Make> stepper_;
-  State x_;
-  System system_;
-  double interval_;
-  double step_;
-  double t_ = 0.0;
-  long evaluations_ = 0;
 };
 
-// The ladders of all four methods: rk4 by `fewest` steps a sample and more, the others at ever tighter tolerances. The
-// methods are copied from objects of static storage, whose buffers are zero: a copy of a buffer not yet written to would
-// be read.
+// The ladders of all four methods: rk4 by ever more steps, the others at tolerances 0.1, 0.03, 0.01, ... 1e-16. error:
+// of a State. The methods are copied from objects of static storage, whose buffers are zero: a copy of a buffer not yet
+// written to would be read.
 template <class State, class System, class Error>
-void climb_odeint(Problem problem, Method method, const State& x, const System& system, const Course& course,
-                  double fewest, double first_step, const Effort& effort, Runs& runs, Error&& error) {
+void climb_odeint(Method method, const State& x, const System& system, double first_step, const Course& course,
+                  const Effort& effort, Ladders& ladders, Error&& error) {
   namespace odeint = boost::numeric::odeint;
-  const auto run = [&](Odeint which, double setting, auto&& start) {
-    return measure({problem, {method, Integrator::explicit_euler, which}, setting}, course, effort, start, error);
+  using Rk4 = OdeintRk4<State, System>;
+  const auto add = [&](Odeint which, std::vector<Run> runs) {
+    ladders.push_back({{method, Integrator::explicit_euler, which}, std::move(runs)});
   };
-  climb(effort, step_ladder(fewest, effort.ladder), runs, [&](long steps) {
-    return run(Odeint::rk4, course.interval() / static_cast<double>(steps),
-               [&] { return OdeintFixed<State, System>(x, system, course.interval(), steps); });
-  });
+  add(Odeint::rk4, climb_steps(Rk4{system, x}, 4, course, effort,
+                               [&](const Rk4& book, int sample) { return error(book.x, sample); }));
+  std::vector<double> tolerances;
+  for (double decades = 1.0; decades <= 16.0; decades += 0.5 * effort.ladder)
+    tolerances.push_back(std::pow(10.0, -decades));
   const auto controlled = [&](Odeint which, auto&& make) {
-    climb(effort, tolerance_ladder(effort.ladder), runs, [&](double tolerance) {
-      const auto stepper = [&] { return make(tolerance); };
-      return run(which, tolerance, [&] { return OdeintControlled(stepper, x, system, course.interval(), first_step); });
-    });
+    add(which, climb(effort, tolerances, [&](double tolerance) {
+          using Runner = OdeintControlled<decltype(make(tolerance)), State, System>;
+          return measure(
+              tolerance, course, effort,
+              [&] {
+                return Runner{system, x, make(tolerance), course.interval(), first_step};
+              },
+              error);
+        }));
   };
   controlled(Odeint::dopri5, [](double tolerance) {
     static const odeint::runge_kutta_dopri5<State> dopri5;

@@ -1,11 +1,14 @@
 #include "report/plots.h"
 
 #include <fmt/format.h>
+#include <sys/wait.h>
 
 #include <cmath>
+#include <cstdio>
+#include <memory>
 #include <stdexcept>
 
-#include "report/program.h"
+#include "scene/any_book.h"
 
 namespace bookspin {
 namespace {
@@ -19,60 +22,58 @@ std::string quoted(const std::string& text) {
   return '"' + out + '"';
 }
 
-Finished run_gnuplot(const std::vector<std::string>& arguments, std::string_view script) {
-  Finished gnuplot = run_program("gnuplot", arguments, script);
-  if (gnuplot.status == program_not_found)
+std::string rest_of(std::FILE* file) {
+  std::string text;
+  char part[4096];
+  for (std::size_t n = 0; (n = std::fread(part, 1, sizeof part, file)) > 0;) text.append(part, n);
+  return text;
+}
+
+// What gnuplot draws of the script. Script and errors go by nameless files: neither side ever waits for the other.
+std::string drawn_by_gnuplot(const std::string& name, const std::string& script) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::tmpfile(), std::fclose),
+      errors(std::tmpfile(), std::fclose);
+  if (!in || !errors || std::fwrite(script.data(), 1, script.size(), in.get()) != script.size() ||
+      std::fflush(in.get()) != 0)
+    throw std::runtime_error(name + ": a temporary file for gnuplot cannot be written");
+  std::rewind(in.get());
+  std::FILE* pipe =
+      popen(fmt::format("gnuplot /dev/fd/{} 2>/dev/fd/{}", fileno(in.get()), fileno(errors.get())).c_str(), "r");
+  if (pipe == nullptr) throw std::runtime_error(name + ": a shell for gnuplot cannot be started");
+  std::string drawn = rest_of(pipe);
+  const int status = pclose(pipe);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
     throw std::runtime_error("gnuplot: not found; the package gnuplot-nox has it, and the report's plots need it");
-  return gnuplot;
+  if (status != 0 || (!script.empty() && drawn.find("</svg>") == std::string::npos)) {
+    std::rewind(errors.get());
+    throw std::runtime_error(fmt::format("{}: gnuplot (status {}): {}", name, status, rest_of(errors.get())));
+  }
+  return drawn;
 }
 
 }  // namespace
 
 void require_gnuplot() {
-  const Finished gnuplot = run_gnuplot({"--version"}, "");
-  if (gnuplot.status != 0)
-    throw std::runtime_error(fmt::format("gnuplot --version: exit status {}: {}", gnuplot.status, gnuplot.errors));
+  (void)drawn_by_gnuplot("nothing to plot", "");
 }
 
+// A color for each order, in it a point for each row of the table; Odeint's and the paper's are thinner and dashed.
 Pen pen_of(const Solver& solver) {
   using namespace color;
   if (solver.method == Method::exact) return {black, 1, 9, 3.0};
   if (solver.as_in_the_paper) return {vermillion, 2, 6, 1.5};
   if (solver.odeint) {
-    switch (*solver.odeint) {
-      case Odeint::rk4:
-        return {blue, 3, 6, 1.5};
-      case Odeint::dopri5:
-        return {purple, 3, 4, 1.5};
-      case Odeint::fehlberg78:
-        return {purple, 1, 11, 2.0};
-      case Odeint::bulirsch_stoer:
-        return {purple, 2, 12, 1.5};
-    }
+    constexpr std::array<Pen, 4> pens{
+        {{blue, 3, 6, 1.5}, {purple, 3, 4, 1.5}, {purple, 1, 11, 2.0}, {purple, 2, 12, 1.5}}};
+    return pens.at(static_cast<std::size_t>(*solver.odeint));
   }
-  switch (solver.integrator) {
-    case Integrator::explicit_euler:
-      return solver.method == Method::quaternion ? Pen{orange, 1, 7, 2.0} : Pen{vermillion, 1, 5, 2.0};
-    case Integrator::semi_implicit_euler:
-      return {orange, 2, 7, 2.0};
-    case Integrator::velocity_verlet:
-      return {sky, 1, 5, 2.0};
-    case Integrator::rk4:
-      return {blue, 1, 7, 2.0};
-    case Integrator::composition8:
-      return {green, 1, 9, 2.5};
-    case Integrator::splitting2:
-      return {sky, 2, 4, 2.0};
-    case Integrator::splitting4:
-      return {sky, 1, 5, 2.0};
-    case Integrator::dmv2:
-      return {green, 3, 6, 2.0};
-    case Integrator::dmv6:
-      return {green, 2, 8, 2.0};
-    case Integrator::dmv10:
-      return {green, 1, 9, 2.5};
-  }
-  return {};
+  const auto color_of = [](const IntegratorInfo& row) {
+    return row.order < 2 ? vermillion : row.order < 4 ? sky : row.order < 6 ? blue : green;
+  };
+  Pen pen{color_of(info_of(solver.integrator)), solver.method == Method::matrix ? 2 : 1, 4};
+  for (const IntegratorInfo& row : integrators)
+    pen.point += row.id < solver.integrator && color_of(row) == pen.color ? 1 : 0;
+  return pen;
 }
 
 std::string svg_of(const std::string& name, const Plot& plot) {
@@ -105,10 +106,7 @@ std::string svg_of(const std::string& name, const Plot& plot) {
     plots += fmt::format("{}$d{} using 1:2 with {} {}", plots.empty() ? "plot " : ", \\\n  ", i, with,
                          title.empty() ? "notitle" : "title " + quoted(title));
   }
-  Finished gnuplot = run_gnuplot({}, script + plots + "\n");
-  if (gnuplot.status != 0 || gnuplot.out.find("</svg>") == std::string::npos)
-    throw std::runtime_error(fmt::format("{}: gnuplot (exit status {}): {}", name, gnuplot.status, gnuplot.errors));
-  return std::move(gnuplot.out);
+  return drawn_by_gnuplot(name, script + plots + "\n");
 }
 
 }  // namespace bookspin

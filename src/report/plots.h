@@ -4,6 +4,7 @@
 // plot, and no two solvers share all three. Throws std::runtime_error with gnuplot's own words when it fails.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,9 +34,21 @@ struct Pen {
 
 [[nodiscard]] Pen pen_of(const Solver& solver);
 
+using Points = std::vector<std::pair<double, double>>;  // those that are not finite are left out of a plot
+
+// (x, y) of those rows that `where` takes; x and y: members of a row, or functions of it.
+template <class Rows, class Where, class X, class Y>
+[[nodiscard]] Points points(const Rows& rows, Where&& where, X&& x, Y&& y) {
+  Points result;
+  for (const auto& row : rows) {
+    if (where(row)) result.emplace_back(std::invoke(x, row), std::invoke(y, row));
+  }
+  return result;
+}
+
 struct Series {
-  std::string title;                              // in the key; empty: not in the key
-  std::vector<std::pair<double, double>> points;  // those that are not finite are left out
+  std::string title;  // in the key; empty: not in the key
+  Points points;
   Pen pen;
   Mark mark = Mark::line_and_points;
 };
@@ -50,6 +63,14 @@ struct Plot {
   std::vector<std::string> more{};  // further gnuplot commands
   std::vector<Series> series{};
 };
+
+// Two series of the rows that `where` takes: a line of what is predicted, points of what is measured.
+template <class Row, class Where, class X>
+void add_predicted_and_measured(Plot& plot, const std::string& title, const Pen& pen, const std::vector<Row>& rows,
+                                Where&& where, X&& x) {
+  plot.series.push_back({title, points(rows, where, x, &Row::predicted), pen, Mark::line});
+  plot.series.push_back({"  measured", points(rows, where, x, &Row::measured), pen, Mark::points});
+}
 
 void require_gnuplot();  // throws std::runtime_error that says what to install
 

@@ -1,14 +1,17 @@
 #include "report/report.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
+#include <fstream>
 #include <list>
+#include <thread>
 
 #include "files/files.h"
 #include "fill/fill.h"
 #include "report/draft.h"
-#include "report/machine.h"
+#include "scene/scene_file.h"
+#include "scene/simulate.h"
 
 namespace bookspin {
 namespace {
@@ -26,27 +29,26 @@ constexpr std::array sections{Section{"speed against error", work_precision},
                               Section{"cost of a film's frame", frame_costs},
                               Section{"the paper's claims", claims}};
 
-// Numbers as they are read; whole ones stay what they are.
-void make_readable(nlohmann::json& value) {
-  if (value.is_structured()) {
-    for (auto& part : value) make_readable(part);
-  } else if (value.is_number_float()) {
-    value = readable(value.get<double>());
+// Where and from what the report was made: so that its times mean something elsewhere.
+nlohmann::ordered_json this_machine(const std::string& commit) {
+  std::string processor = "unknown processor";
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  for (std::string line; std::getline(cpuinfo, line);) {
+    if (line.starts_with("model name")) processor = line.substr(line.find(':') + 2);
   }
+  return {{"processor", processor},
+          {"cores", std::thread::hardware_concurrency()},
+          {"compiler", BOOKSPIN_COMPILER},
+          {"flags", BOOKSPIN_FLAGS},
+          {"commit", commit.empty() ? "unknown" : commit}};
 }
 
 void publish_all(Draft& draft) {
-  const Machine machine = this_machine(draft.order.project);
-  const nlohmann::ordered_json made{{"processor", machine.processor},
-                                    {"cores", machine.cores},
-                                    {"compiler", machine.compiler},
-                                    {"flags", machine.flags},
-                                    {"commit", machine.commit}};
-  draft.page["machine"] = made;
+  nlohmann::ordered_json data = this_machine(draft.order.commit);
+  draft.page["machine"] = data;
   draft.page["quick"] = draft.order.quick;
   draft.page["repeats"] = draft.effort.repeats;
   draft.page["most_evaluations"] = static_cast<double>(draft.effort.most_evaluations);
-  nlohmann::ordered_json data = made;
   data.update(draft.tables);
   draft.files["report.json"] = data.dump(1) + "\n";
   make_readable(draft.page);
@@ -74,6 +76,21 @@ void Draft::keep(const std::string& name, const Table& table) {
 
 void Draft::plot(const std::string& name, const Plot& plot) {
   files[name + ".svg"] = svg_of(name + ".svg", plot);
+}
+
+std::vector<std::string> Trial::all_overrides() const {
+  std::vector<std::string> all = overrides;
+  all.push_back(fmt::format("expect=[{}]", fmt::join(expect, ", ")));
+  return all;
+}
+
+std::vector<Verdict> Draft::judge(const Trial& trial) {
+  const Scene scene = load_scene(order.project / "videos" / (trial.script + ".toml"), trial.all_overrides());
+  std::vector<std::string> key = trial.overrides;
+  key.push_back(trial.script);
+  const auto [place, is_new] = motions.try_emplace(key);
+  if (is_new) place->second = simulate(scene);
+  return bookspin::judge(scene, place->second);
 }
 
 void make_report(const ReportOrder& order, const Tell& tell) {

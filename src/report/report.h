@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <string_view>
 
 namespace bookspin {
@@ -18,6 +19,7 @@ struct ReportOrder {
   std::filesystem::path folder;  // made when missing
   std::filesystem::path project;
   bool quick = false;
+  std::string commit{};  // of the program's sources; empty: not known
 };
 
 void make_report(const ReportOrder& order, const Tell& tell);

@@ -8,29 +8,31 @@
 namespace bookspin {
 namespace {
 
-constexpr std::array<std::string_view, 7> problem_names{"case a",
-                                                        "case b",
-                                                        "case c",
-                                                        "case d",
-                                                        "springs",
-                                                        "springs against rigid, k = 10",
-                                                        "springs against rigid, k = 1000"};
-constexpr std::array<std::string_view, 4> odeint_names{"rk4", "dopri5", "fehlberg78", "bulirsch_stoer"};
-constexpr std::array<std::string_view, 3> outcome_names{"finished", "diverged", "stalled"};
+constexpr std::array odeint_names{"rk4", "dopri5", "fehlberg78", "bulirsch_stoer"};
 
-template <class Names, class Id>
-std::string text_of(const Names& names, Id id) {
-  return std::string(names.at(static_cast<std::size_t>(id)));
+struct Asked {
+  const char* text;
+  double error;
+};
+constexpr std::array<Asked, 4> asked{{{"1e-2", 1e-2}, {"1e-4", 1e-4}, {"1e-6", 1e-6}, {"1e-9", 1e-9}}};
+
+// The finished run that `better(run, best)` prefers to all before it.
+template <class Better>
+Run choose(const Ladder& ladder, Better&& better) {
+  Run best = no_run;
+  for (const Run& run : ladder.runs) {
+    if (run.outcome == Outcome::finished && (best.error == none || better(run, best))) best = run;
+  }
+  return best;
 }
 
-// Of the finished runs of a problem and solver the one that `better(run, best)` prefers to all before it.
-template <class Better>
-const Run* choose(const Runs& runs, Problem problem, const Solver& solver, Better&& better) {
-  const Run* best = nullptr;
-  for (const Run& run : runs) {
-    if (run.problem == problem && run.solver == solver && run.outcome == Outcome::finished &&
-        (best == nullptr || better(run, *best)))
-      best = &run;
+// The ladder whose run, `of(ladder)`, has the least `number`.
+template <class Of>
+Best least(const Ladders& ladders, bool stepping, double Run::*number, Of&& of) {
+  Best best;
+  for (const Ladder& ladder : ladders) {
+    if (stepping && ladder.solver == exact_solver) continue;
+    if (const Run run = of(ladder); run.*number < best.run.*number) best = {ladder.solver, run};
   }
   return best;
 }
@@ -39,10 +41,11 @@ const Run* choose(const Runs& runs, Problem problem, const Solver& solver, Bette
 
 std::string name_of(const Solver& solver) {
   if (solver.method == Method::exact) return "exact";
-  if (solver.odeint) return "odeint " + text_of(odeint_names, *solver.odeint);
-  const std::string name(info_of(solver.integrator).name);
   if (solver.as_in_the_paper) return "the paper's springs";
-  if (solver.method == Method::springs || info_of(solver.integrator).rigid_step != nullptr) return name;
+  if (solver.odeint) return std::string("odeint ") + odeint_names.at(static_cast<std::size_t>(*solver.odeint));
+  const IntegratorInfo& row = info_of(solver.integrator);
+  const std::string name(row.name);
+  if (solver.method == Method::springs || row.rigid_step != nullptr) return name;
   return name + (solver.method == Method::matrix ? ", matrix" : ", quaternion");
 }
 
@@ -65,19 +68,10 @@ std::vector<Solver> spring_solvers() {
 }
 
 std::vector<Solver> odeint_solvers(Method method) {
+  using enum Odeint;
   std::vector<Solver> solvers;
-  for (std::size_t i = 0; i < odeint_names.size(); ++i)
-    solvers.push_back({method, Integrator::explicit_euler, static_cast<Odeint>(i)});
+  for (const Odeint which : {rk4, dopri5, fehlberg78, bulirsch_stoer}) solvers.push_back({method, {}, which});
   return solvers;
-}
-
-BookOptions options_for(const Solver& solver, BookOptions options) {
-  options.integrator = solver.integrator;
-  if (solver.method == Method::springs && !solver.as_in_the_paper) {
-    options.normalize_every = 0;
-    options.damping = 0.0;
-  }
-  return options;
 }
 
 int evaluations_a_step(Integrator integrator) {
@@ -93,99 +87,91 @@ int evaluations_a_step(Integrator integrator) {
   }
 }
 
-std::vector<Solver> solvers_of(const Runs& runs, Problem problem) {
-  std::vector<Solver> solvers;
-  for (const Run& run : runs) {
-    if (run.problem == problem && std::find(solvers.begin(), solvers.end(), run.solver) == solvers.end())
-      solvers.push_back(run.solver);
+BookOptions options_for(const Solver& solver, BookOptions options) {
+  options.integrator = solver.integrator;
+  if (solver.method == Method::springs && !solver.as_in_the_paper) {
+    options.normalize_every = 0;
+    options.damping = 0.0;
   }
-  return solvers;
+  return options;
 }
 
-const Run* nearest_run(const Runs& runs, Problem problem, const Solver& solver) {
-  return choose(runs, problem, solver, [](const Run& run, const Run& best) { return run.error < best.error; });
+Run Ladder::coarsest() const {
+  return choose(*this, [](const Run&, const Run&) { return false; });
 }
 
-const Run* finest_run(const Runs& runs, Problem problem, const Solver& solver) {
-  return choose(runs, problem, solver, [](const Run&, const Run&) { return true; });
+Run Ladder::finest() const {
+  return choose(*this, [](const Run&, const Run&) { return true; });
 }
 
-const Run* coarsest_run(const Runs& runs, Problem problem, const Solver& solver) {
-  return choose(runs, problem, solver, [](const Run&, const Run&) { return false; });
+Run Ladder::nearest() const {
+  return choose(*this, [](const Run& run, const Run& best) { return run.error < best.error; });
 }
 
-const Run* cheapest_run(const Runs& runs, Problem problem, const Solver& solver, double error) {
-  const Run* best = choose(runs, problem, solver, [error](const Run& run, const Run& before) {
-    if ((run.error <= error) != (before.error <= error)) return run.error <= error;
-    return run.ns_per_time < before.ns_per_time;
-  });
-  return best != nullptr && best->error <= error ? best : nullptr;
-}
-
-const Run* run_near(const Runs& runs, Problem problem, const Solver& solver, double setting) {
-  const auto distance = [setting](const Run& run) { return std::abs(std::log(run.setting / setting)); };
-  return choose(runs, problem, solver, [&](const Run& run, const Run& best) { return distance(run) < distance(best); });
-}
-
-double best_error(const Runs& runs, Problem problem, const Solver& solver) {
-  const Run* run = nearest_run(runs, problem, solver);
-  return run == nullptr ? std::nan("") : run->error;
-}
-
-double least_cost(const Runs& runs, Problem problem, const Solver& solver, double error) {
-  const Run* run = cheapest_run(runs, problem, solver, error);
-  return run == nullptr ? std::nan("") : run->ns_per_time;
-}
-
-const Run* nearest_stepper(const Runs& runs, Problem problem) {
-  const Run* best = nullptr;
-  for (const Solver& solver : solvers_of(runs, problem)) {
-    if (solver == exact_solver) continue;
-    const Run* run = nearest_run(runs, problem, solver);
-    if (run != nullptr && (best == nullptr || run->error < best->error)) best = run;
+Run Ladder::cheapest(double error) const {
+  Run best = no_run;
+  for (const Run& run : runs) {
+    if (run.error <= error && run.ns_per_time < best.ns_per_time) best = run;
   }
   return best;
 }
 
-nlohmann::json winners(const Runs& runs, Problem problem, bool stepping) {
+Run Ladder::closest(double setting) const {
+  const auto distance = [setting](const Run& run) { return std::abs(std::log(run.setting / setting)); };
+  return choose(*this, [&](const Run& run, const Run& best) { return distance(run) < distance(best); });
+}
+
+const Ladder& ladder(const Ladders& ladders, const Solver& solver) {
+  static const Ladder empty{};
+  const auto found = std::find_if(ladders.begin(), ladders.end(), [&](const Ladder& l) { return l.solver == solver; });
+  return found == ladders.end() ? empty : *found;
+}
+
+Best nearest_stepper(const Ladders& ladders) {
+  return least(ladders, true, &Run::error, [](const Ladder& ladder) { return ladder.nearest(); });
+}
+
+nlohmann::json winners(const Ladders& ladders, bool stepping) {
   nlohmann::json list = nlohmann::json::array();
-  for (const double error : asked_errors) {
-    const Run* best = nullptr;
-    for (const Solver& solver : solvers_of(runs, problem)) {
-      if (stepping && solver == exact_solver) continue;
-      const Run* run = cheapest_run(runs, problem, solver, error);
-      if (run != nullptr && (best == nullptr || run->ns_per_time < best->ns_per_time)) best = run;
-    }
-    if (best != nullptr) {
-      list.push_back({{"error", error}, {"name", name_of(best->solver)}, {"ns", best->ns_per_time}});
-    }
+  for (const auto& [text, error] : asked) {
+    const auto [solver, run] = least(ladders, stepping, &Run::ns_per_time,
+                                     [error = error](const Ladder& ladder) { return ladder.cheapest(error); });
+    if (run.error <= error) list.push_back({{"error", error}, {"name", name_of(solver)}, {"ns", run.ns_per_time}});
   }
   return list;
 }
 
-Table cheapest_table(const Runs& runs, Problem problem) {
+Table cheapest_table(const Ladders& ladders) {
   Table table{{"method"}, {}};
-  for (const double error : asked_errors) table.columns.push_back("ns at " + plain(error));
+  for (const auto& [text, error] : asked) table.columns.push_back(std::string("ns at ") + text);
   table.columns.insert(table.columns.end(), {"best error", "ns at best"});
-  for (const Solver& solver : solvers_of(runs, problem)) {
-    std::vector<Cell> row{name_of(solver)};
-    for (const double error : asked_errors) {
-      const Run* run = cheapest_run(runs, problem, solver, error);
-      row.push_back(run == nullptr ? Cell("never") : Cell(run->ns_per_time));
-    }
-    const Run* best = nearest_run(runs, problem, solver);
-    row.push_back(best == nullptr ? Cell("none finished") : Cell(best->error));
-    row.push_back(best == nullptr ? std::nan("") : best->ns_per_time);
+  for (const Ladder& ladder : ladders) {
+    std::vector<Cell> row{name_of(ladder.solver)};
+    for (const auto& [text, error] : asked) row.push_back(number_or("never", ladder.cheapest(error).ns_per_time));
+    const Run best = ladder.nearest();
+    row.insert(row.end(), {number_or("none finished", best.error), best.ns_per_time});
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
 Table runs_table(const Runs& runs) {
+  constexpr std::array problems{"case a",
+                                "case b",
+                                "case c",
+                                "case d",
+                                "springs",
+                                "springs against rigid, k = 10",
+                                "springs against rigid, k = 1000"};
+  constexpr std::array outcomes{"finished", "diverged", "stalled"};
   Table table{{"problem", "method", "setting", "error", "ns per unit of time", "evaluations", "outcome"}, {}};
-  for (const Run& run : runs) {
-    table.rows.push_back({text_of(problem_names, run.problem), name_of(run.solver), run.setting, run.error,
-                          run.ns_per_time, static_cast<double>(run.evaluations), text_of(outcome_names, run.outcome)});
+  for (const auto& [problem, ladders] : runs) {
+    for (const Ladder& ladder : ladders) {
+      for (const Run& run : ladder.runs)
+        table.rows.push_back({problems.at(static_cast<std::size_t>(problem)), name_of(ladder.solver), run.setting,
+                              run.error, run.ns_per_time, static_cast<double>(run.evaluations),
+                              outcomes.at(static_cast<std::size_t>(run.outcome))});
+    }
   }
   return table;
 }

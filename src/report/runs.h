@@ -1,11 +1,13 @@
 // The runs of all work-precision ladders, and what is asked of them.
 //
-// A run is known by its problem, its solver and its setting. Only a finished run has an error: the error of one that
-// diverged or stalled is NaN, which no comparison with an error asked for meets, so that all queries see finished runs
-// alone. A query that no run answers gives a null pointer or NaN.
+// A ladder holds the runs of one solver at one problem, the coarsest first. Only a finished run has an error: that of one
+// that diverged or stalled is infinite, so that no query finds it. What no run answers is `no_run`, infinite in all: a
+// dash on the page, an empty cell, a point left out.
 #pragma once
 
 #include <array>
+#include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -36,39 +38,48 @@ inline constexpr Solver papers_springs{Method::springs, Integrator::explicit_eul
 [[nodiscard]] std::vector<Solver> odeint_solvers(Method method);
 // The solver's integrator; springs undamped and not normalized, but the paper's.
 [[nodiscard]] BookOptions options_for(const Solver& solver, BookOptions options);
+
 [[nodiscard]] int evaluations_a_step(Integrator integrator);  // of the right-hand side, or of what stands for it
 
 enum class Outcome { finished, diverged, stalled };
 
+inline constexpr double none = std::numeric_limits<double>::infinity();
+
 struct Run {
-  Problem problem{};
-  Solver solver{};
-  double setting = 0.0;      // the step h, or the tolerance of an adaptive method; 0: none
-  double error = 0.0;        // largest over the samples; NaN unless finished
-  double ns_per_time = 0.0;  // CPU nanoseconds for one unit of simulated time, of what was done before a bad end, too
-  long evaluations = 0;      // of the right-hand side
+  double setting = none;      // the step h, or the tolerance of an adaptive method; 0: of a motion in closed form
+  double error = none;        // largest over the samples
+  double ns_per_time = none;  // CPU nanoseconds for one unit of simulated time, of what was done before a bad end, too
+  long evaluations = 0;       // of the right-hand side
   Outcome outcome = Outcome::finished;
 };
-using Runs = std::vector<Run>;
+inline constexpr Run no_run{};
 
-inline constexpr std::array asked_errors{1e-2, 1e-4, 1e-6, 1e-9};
+struct Ladder {
+  Solver solver;
+  std::vector<Run> runs;
 
-[[nodiscard]] std::vector<Solver> solvers_of(const Runs& runs, Problem problem);  // in the order of the runs
-[[nodiscard]] const Run* nearest_run(const Runs& runs, Problem problem, const Solver& solver);   // the least error
-[[nodiscard]] const Run* finest_run(const Runs& runs, Problem problem, const Solver& solver);    // the last finished
-[[nodiscard]] const Run* coarsest_run(const Runs& runs, Problem problem, const Solver& solver);  // the first finished
-[[nodiscard]] const Run* cheapest_run(const Runs& runs, Problem problem, const Solver& solver, double error);
-[[nodiscard]] const Run* run_near(const Runs& runs, Problem problem, const Solver& solver, double setting);
-[[nodiscard]] double best_error(const Runs& runs, Problem problem, const Solver& solver);
-[[nodiscard]] double least_cost(const Runs& runs, Problem problem, const Solver& solver, double error);
-// Of all solvers but the exact one.
-[[nodiscard]] const Run* nearest_stepper(const Runs& runs, Problem problem);
+  [[nodiscard]] Run coarsest() const;  // of those that finished, like all of these
+  [[nodiscard]] Run finest() const;
+  [[nodiscard]] Run nearest() const;                // the least error
+  [[nodiscard]] Run cheapest(double error) const;   // that is no farther off
+  [[nodiscard]] Run closest(double setting) const;  // by ratio
+};
+using Ladders = std::vector<Ladder>;  // of one problem
+using Runs = std::map<Problem, Ladders>;
 
-// The cheapest run of all for each asked error: {error, name, ns}; `stepping`: without the exact solver.
-[[nodiscard]] nlohmann::json winners(const Runs& runs, Problem problem, bool stepping);
+[[nodiscard]] const Ladder& ladder(const Ladders& ladders, const Solver& solver);  // an empty one when there is none
 
-// For each solver of a problem the cost of each asked error, "never" when no run reaches it.
-[[nodiscard]] Table cheapest_table(const Runs& runs, Problem problem);
+struct Best {
+  Solver solver = exact_solver;
+  Run run = no_run;
+};
+[[nodiscard]] Best nearest_stepper(const Ladders& ladders);  // of all solvers but the exact one
+
+// The cheapest run of all for each error asked for: {error, name, ns}; `stepping`: without the exact solver.
+[[nodiscard]] nlohmann::json winners(const Ladders& ladders, bool stepping);
+
+// For each solver the cost of each error asked for, "never" when no run reaches it.
+[[nodiscard]] Table cheapest_table(const Ladders& ladders);
 [[nodiscard]] Table runs_table(const Runs& runs);
 
 }  // namespace bookspin

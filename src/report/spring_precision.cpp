@@ -1,13 +1,14 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <limits>
 #include <numbers>
+#include <sstream>
 #include <stdexcept>
 
 #include "dynamics/rigid_motion.h"
+#include "files/files.h"
 #include "report/draft.h"
 #include "report/odeint.h"
 #include "report/stability.h"
@@ -65,14 +66,12 @@ BookOptions book_of_case_a(double stiffness) {
 }
 
 Motion read_motion(const std::filesystem::path& file) {
-  std::ifstream in(file);
+  std::istringstream in(read_file(file));
   Motion motion;
-  for (std::array<double, 48> row; true;) {
-    for (double& number : row) in >> number;
-    if (!in) break;
+  std::array<double, 48> row;
+  while (std::all_of(row.begin(), row.end(), [&](double& number) { return static_cast<bool>(in >> number); }))
     motion.emplace_back(ConstCorners(row.data()));
-  }
-  if (motion.empty()) throw std::runtime_error(file.string() + ": cannot be read");
+  if (motion.empty()) throw std::runtime_error(file.string() + ": holds no motion");
   return motion;
 }
 
@@ -86,45 +85,42 @@ Motion rigid_motion(const BookOptions& options, const Course& course) {
 }
 
 Motion spring_motion(const BookOptions& options, const Course& course, double h) {
-  Stepped runner(SpringBook(options), options.integrator, course.interval(),
-                 static_cast<long>(std::ceil(course.interval() / h)));
+  const auto steps = static_cast<long>(std::ceil(course.interval() / h));
+  Stepped<SpringBook> runner{SpringBook(options), course.interval() / static_cast<double>(steps), steps, 1};
   Motion x;
-  for (int i = 0; i < course.samples; ++i) {
-    (void)runner.to(i);
-    x.push_back(runner.state().corners_W());
-  }
+  for (int i = 0; i < course.samples && runner.to(i); ++i) x.push_back(runner.state.corners_W());
   return x;
 }
 
-void against_their_own_motion(const Motion& expected, const Effort& effort, Runs& runs) {
-  const Course course{static_cast<int>(expected.size()), 200.0};
-  constexpr double fewest = 4.0;
-  const BookOptions options = reference_options();
-  const auto error = [&](const auto& book, int i) {
-    return farthest(corners_of(book), expected[static_cast<std::size_t>(i)], options);
+// How far a run's corners are from the motion at sample i.
+auto distance_from(const Motion& motion, const BookOptions& options) {
+  return [&motion, &options](const auto& book, int i) {
+    return farthest(corners_of(book), motion[static_cast<std::size_t>(i)], options);
   };
-  for (const Solver& solver : spring_solvers())
-    climb_steps(Problem::springs, solver, options, course, fewest, effort, runs, error);
+}
+
+Ladders against_their_own_motion(const Motion& expected, const Effort& effort) {
+  const Course course{static_cast<int>(expected.size()), 200.0, 4.0};
+  const BookOptions options = reference_options();
+  const auto error = distance_from(expected, options);
+  Ladders ladders;
+  climb_all(spring_solvers(), options, course, effort, ladders, error);
   const SpringSystem system{SpringBook(options), options.particle_mass};
   State start{};
   Eigen::Map<Corners>(start.data()) = system.book.corners_W();
   Eigen::Map<Corners>(start.data() + 24) = system.book.velocities_W();
-  climb_odeint(Problem::springs, Method::springs, start, system, course, fewest, 0.01, effort, runs, error);
+  climb_odeint(Method::springs, start, system, 0.01, course, effort, ladders, error);
+  return ladders;
 }
 
-void against_the_rigid_body(const Course& course, const Effort& effort, Runs& runs) {
-  std::vector<Solver> solvers = spring_solvers();
-  solvers.insert(solvers.begin(), papers_springs);
-  for (const auto& [problem, stiffness] :
-       {std::pair{Problem::soft_springs, 10.0}, std::pair{Problem::stiff_springs, 1000.0}}) {
-    const BookOptions options = book_of_case_a(stiffness);
-    const Motion rigid = rigid_motion(options, course);
-    for (const Solver& solver : solvers) {
-      climb_steps(problem, solver, options, course, 16.0, effort, runs, [&](const auto& book, int i) {
-        return farthest(corners_of(book), rigid[static_cast<std::size_t>(i)], options);
-      });
-    }
-  }
+Ladders against_the_rigid_body(double stiffness, const Course& course, const Effort& effort) {
+  const BookOptions options = book_of_case_a(stiffness);
+  const Motion rigid = rigid_motion(options, course);
+  const auto error = distance_from(rigid, options);
+  Ladders ladders;
+  climb_all({papers_springs}, options, course, effort, ladders, error);
+  climb_all(spring_solvers(), options, course, effort, ladders, error);
+  return ladders;
 }
 
 // The book of case a under three models, at the step of the paper's program. Each model's own motion is computed by a
@@ -140,7 +136,7 @@ std::vector<ModelError> model_errors(const Course& course, bool quick) {
       double result = 0.0;
       for (std::size_t i = 0; i < a.size(); ++i) {
         const double error = farthest(a[i], b[i], book);
-        if (!(error < 1e3)) return std::numeric_limits<double>::infinity();
+        if (!(error < 1e3)) return none;
         result = std::max(result, error);
       }
       return result;
@@ -164,20 +160,6 @@ std::vector<ModelError> model_errors(const Course& course, bool quick) {
   return errors;
 }
 
-Table model_error_table(const std::vector<ModelError>& errors) {
-  Table table{{"stiffness", "springs", "integrator", "integration error", "model error", "all: from the rigid motion"},
-              {}};
-  const auto shown = [](double error) { return std::isfinite(error) ? Cell(error) : Cell("exploded"); };
-  for (const ModelError& e : errors) {
-    table.rows.push_back({e.stiffness,
-                          !e.damped      ? "undamped"
-                          : e.normalized ? "damped and normalized"
-                                         : "damped",
-                          std::string(info_of(e.integrator).name), shown(e.integration), shown(e.model), shown(e.all)});
-  }
-  return table;
-}
-
 }  // namespace
 
 void spring_precision(Draft& draft) {
@@ -185,79 +167,77 @@ void spring_precision(Draft& draft) {
   effort.most_evaluations *= 2;
   effort.repeats = 1;
   draft.say("their own motion");
-  against_their_own_motion(read_motion(draft.order.project / "data" / "reference" / "ref_springs.txt"), effort,
-                           draft.runs);
-  draft.keep("cheapest_springs", cheapest_table(draft.runs, Problem::springs));
+  const Ladders& springs = draft.runs[Problem::springs] =
+      against_their_own_motion(read_motion(draft.order.project / "data" / "reference" / "ref_springs.txt"), effort);
+  draft.keep("cheapest_springs", cheapest_table(springs));
   draft.plot("work_precision_springs",
              work_precision_plot(draft.runs, {Problem::springs},
                                  "largest error, half diagonals, from the springs' own motion", "1e-11"));
 
   draft.say("the rigid motion");
-  const Course course{60, effort.quick ? 100.0 : 600.0};
-  against_the_rigid_body(course, effort, draft.runs);
+  const Course course{60, effort.quick ? 100.0 : 600.0, 16.0};
+  const Ladders& soft = draft.runs[Problem::soft_springs] = against_the_rigid_body(10.0, course, effort);
+  const Ladders& stiff = draft.runs[Problem::stiff_springs] = against_the_rigid_body(1000.0, course, effort);
+  const auto floor_of = [](const Ladders& ladders) {  // where undamped springs level out: by the highest order there is
+    const auto order = [](const Ladder& l) { return info_of(l.solver.integrator).order; };
+    return std::max_element(ladders.begin(), ladders.end(),
+                            [&](const Ladder& a, const Ladder& b) { return order(a) < order(b); })
+        ->finest()
+        .error;
+  };
   Plot plot = work_precision_plot(draft.runs, {Problem::soft_springs, Problem::stiff_springs},
                                   "largest distance, half diagonals, from the rigid motion", "1e-5");
-  const auto floor_of = [&](Problem problem, const char* k) {  // where the undamped springs level out
-    const Run* run = finest_run(draft.runs, problem, {Method::springs, Integrator::composition8});
-    if (run == nullptr) return std::nan("");
-    plot.more.push_back(fmt::format("set label 'k = {}' at graph 0.99, first {} right offset 0,0.7", k, run->error));
-    return run->error;
-  };
-  const double soft = floor_of(Problem::soft_springs, "10");
-  const double stiff = floor_of(Problem::stiff_springs, "1000");
+  for (const auto& [k, ladders] : {std::pair{10, &soft}, std::pair{1000, &stiff}}) {
+    if (const double error = floor_of(*ladders); error != none)
+      plot.more.push_back(fmt::format("set label 'k = {}' at graph 0.99, first {} right offset 0,0.7", k, error));
+  }
   draft.plot("work_precision_springs_rigid", plot);
   draft.keep("runs", runs_table(draft.runs));
 
   draft.say("the model's error");
   draft.model_errors = model_errors(course, effort.quick);
-  draft.keep("spring_model_error", model_error_table(draft.model_errors));
+  Table table{{"stiffness", "springs", "integrator", "integration error", "model error", "all: from the rigid motion"},
+              {}};
   nlohmann::json stiffer = nlohmann::json::array();  // what ten times the stiffness makes of the undamped model's error
   const ModelError* before = nullptr;
   for (const ModelError& e : draft.model_errors) {
+    const char* const springs_are = !e.damped ? "undamped" : e.normalized ? "damped and normalized" : "damped";
+    table.rows.push_back({e.stiffness, springs_are, std::string(info_of(e.integrator).name),
+                          number_or("exploded", e.integration), number_or("exploded", e.model),
+                          number_or("exploded", e.all)});
     if (e.damped) continue;
-    if (before != nullptr) {
+    if (before != nullptr)
       stiffer.push_back({{"from", before->stiffness}, {"to", e.stiffness}, {"by", before->model / e.model}});
-    }
     before = &e;
   }
+  draft.keep("spring_model_error", table);
   const ModelError& undamped = draft.model_errors[0];
   const ModelError& damped = draft.model_errors[1];
-  const Solver euler{Method::springs, Integrator::explicit_euler};
   const Solver verlet{Method::springs, Integrator::velocity_verlet};
-  int verlet_runs = 0;
-  int verlet_diverged = 0;
-  double verlet_least = std::numeric_limits<double>::infinity();
-  for (const Run& run : draft.runs) {
-    if (run.problem != Problem::springs || run.solver != verlet) continue;
-    ++verlet_runs;
-    if (run.outcome == Outcome::finished) continue;
-    ++verlet_diverged;
-    verlet_least = std::min(verlet_least, run.setting);
-  }
+  const std::vector<Run>& verlets = ladder(springs, verlet).runs;
   const auto finest = [&](const Solver& solver) {
-    const Run* run = finest_run(draft.runs, Problem::springs, solver);
-    return nlohmann::json{{"h", run == nullptr ? std::nan("") : run->setting},
-                          {"error", run == nullptr ? std::nan("") : run->error}};
+    const Run run = ladder(springs, solver).finest();
+    return nlohmann::json{{"h", run.setting}, {"error", run.error}};
   };
-  const double verlet_limit = predicted_step_limit(options_for(verlet, BookOptions()));
-  draft.page["springs"] = {{"any", winners(draft.runs, Problem::springs, false)},
-                           {"euler", finest(euler)},
-                           {"verlet", finest(verlet)},
-                           {"verlet_runs", verlet_runs},
-                           {"verlet_diverged", verlet_diverged},
-                           {"verlet_least", verlet_least},
-                           {"verlet_limit", verlet_limit},
-                           {"soft", soft},
-                           {"stiff", stiff},
-                           {"paper_soft", best_error(draft.runs, Problem::soft_springs, papers_springs)},
-                           {"paper_stiff", best_error(draft.runs, Problem::stiff_springs, papers_springs)},
-                           {"turn", 2.0 * std::numbers::pi / reference_options().omega_W.norm()},
-                           {"T", course.T},
-                           {"h", papers_step},
-                           {"stiffer", std::move(stiffer)},
-                           {"damping_changes_more", damped.model > undamped.model},
-                           {"damped_model", damped.model},
-                           {"undamped_model", undamped.model}};
+  draft.page["springs"] = {
+      {"any", winners(springs, false)},
+      {"euler", finest({Method::springs})},
+      {"verlet", finest(verlet)},
+      {"verlet_runs", verlets.size()},
+      {"verlet_diverged",
+       std::count_if(verlets.begin(), verlets.end(), [](const Run& run) { return run.outcome != Outcome::finished; })},
+      {"verlet_limit", predicted_step_limit(options_for(verlet, BookOptions()))},
+      {"soft", floor_of(soft)},
+      {"stiff", floor_of(stiff)},
+      {"paper_soft", ladder(soft, papers_springs).nearest().error},
+      {"paper_stiff", ladder(stiff, papers_springs).nearest().error},
+      {"turn", 2.0 * std::numbers::pi / reference_options().omega_W.norm()},
+      {"T", course.T},
+      {"h", papers_step},
+      {"stiffer", std::move(stiffer)},
+      {"damping_changes_more", damped.model > undamped.model},
+      {"damped_model", damped.model},
+      {"undamped_model", undamped.model}};
 }
 
 }  // namespace bookspin

@@ -24,10 +24,17 @@ struct SpringModes {
 };
 [[nodiscard]] SpringModes spring_modes(const Eigen::Vector3d& size);
 
-// Largest stable step from the modes, of an integrator that has one: not undamped explicit Euler.
+// Largest stable step, from the modes; 0 when there is none, or when no matrix of the integrator's step is known here.
 [[nodiscard]] double predicted_step_limit(const BookOptions& options);
-// The same by bisection on the program's own book, turning slowly: a step is too large when the shape is lost
-// within `steps` steps.
-[[nodiscard]] double measured_step_limit(const BookOptions& options, double from, double to, int steps);
+
+// Where between `low` and `high` holds(x) ceases to be true.
+template <class Holds>
+[[nodiscard]] double bisect(double low, double high, int halvings, Holds&& holds) {
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (holds(middle) ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
 
 }  // namespace bookspin

@@ -20,19 +20,11 @@ std::string csv_cell(const Cell& cell) {
   return quoted;
 }
 
-std::string shown(const Cell& cell) {
-  const auto* value = std::get_if<double>(&cell);
-  return value == nullptr ? std::get<std::string>(cell) : readable(*value);
-}
-
-std::string power_of_ten(int exponent) {
-  static constexpr std::array<const char*, 10> raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text = exponent < 0 ? "10⁻" : "10";
-  for (const char digit : std::to_string(std::abs(exponent))) text += raised[static_cast<std::size_t>(digit - '0')];
-  return text;
-}
-
 }  // namespace
+
+Cell number_or(const char* word, double value) {
+  return std::isfinite(value) ? Cell(value) : Cell(word);
+}
 
 std::string as_csv(const Table& table) {
   std::string out = fmt::format("{}\n", fmt::join(table.columns, ","));
@@ -69,8 +61,12 @@ nlohmann::json for_page(const Table& table) {
   }
   for (const auto& row : table.rows) {
     nlohmann::json cells = nlohmann::json::array();
-    for (std::size_t i = 0; i < row.size(); ++i)
-      cells.push_back({{"text", shown(row[i])}, {"number", columns[i]["number"]}, {"head", i == 0}});
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const auto* value = std::get_if<double>(&row[i]);
+      cells.push_back({{"text", value == nullptr ? std::get<std::string>(row[i]) : readable(*value)},
+                       {"number", columns[i]["number"]},
+                       {"head", i == 0}});
+    }
     rows.push_back({{"cells", std::move(cells)}});
   }
   return {{"columns", std::move(columns)}, {"rows", std::move(rows)}};
@@ -85,14 +81,20 @@ std::string readable(double value) {
     const int decimals = std::max(0, 2 - static_cast<int>(std::floor(std::log10(size))));
     return fmt::format("{:.{}f}", value, decimals);
   }
+  static constexpr std::array raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   const std::string text = fmt::format("{:.1e}", value);
-  const std::size_t e = text.find('e');
-  const std::string power = power_of_ten(std::stoi(text.substr(e + 1)));
-  return value == std::stod("1e" + text.substr(e + 1)) ? power : text.substr(0, e) + "·" + power;
+  const int exponent = std::stoi(text.substr(text.find('e') + 1));
+  std::string power = exponent < 0 ? "10⁻" : "10";
+  for (const char digit : std::to_string(std::abs(exponent))) power += raised.at(static_cast<std::size_t>(digit - '0'));
+  return value == std::stod(fmt::format("1e{}", exponent)) ? power : text.substr(0, text.find('e')) + "·" + power;
 }
 
-std::string plain(double power_of_ten) {
-  return fmt::format("1e{:.0f}", std::log10(power_of_ten));
+void make_readable(nlohmann::json& values) {
+  if (values.is_structured()) {
+    for (auto& value : values) make_readable(value);
+  } else if (values.is_number_float()) {
+    values = readable(values.get<double>());
+  }
 }
 
 }  // namespace bookspin

@@ -12,6 +12,7 @@
 namespace bookspin {
 
 using Cell = std::variant<std::string, double>;
+[[nodiscard]] Cell number_or(const char* word, double value);  // the word for a number that is not finite
 
 struct Table {
   std::vector<std::string> columns;
@@ -26,6 +27,6 @@ struct Table {
 
 // Three digits, 1.2e-7 as "1.2·10⁻⁷", a power of ten as "10⁻⁷": for reading.
 [[nodiscard]] std::string readable(double value);
-[[nodiscard]] std::string plain(double power_of_ten);  // "1e-7": for the names of columns
+void make_readable(nlohmann::json& values);  // each number in it; whole ones stay what they are
 
 }  // namespace bookspin

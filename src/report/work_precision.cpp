@@ -2,15 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
+#include <functional>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
 
 #include "dynamics/rigid_motion.h"
 #include "dynamics/shape.h"
+#include "files/files.h"
 #include "report/draft.h"
 #include "report/odeint.h"
 
@@ -36,69 +38,51 @@ struct FreeBody {
   }
 };
 
-// From the moments and the angular momentum themselves: the options' would differ in the last digit.
-class Exact {
- public:
-  Exact(const RigidCase& c, double interval)
-      : motion_(c.I_B, Eigen::Quaterniond::Identity(), c.L_W), interval_(interval) {}
+// Of the moments and the angular momentum themselves: the options' would differ in the last digit.
+TorqueFree motion_of(const RigidCase& c) {
+  return {c.I_B, Eigen::Quaterniond::Identity(), c.L_W};
+}
+
+struct Exact {
+  TorqueFree motion;
+  double interval;
+  RigidState state{};
+  long evaluations = 0;
   bool to(int sample) {
-    state_ = motion_.at((sample + 1) * interval_);
-    ++evaluations_;
+    state = motion.at((sample + 1) * interval);
+    ++evaluations;
     return true;
   }
-  [[nodiscard]] const RigidState& state() const { return state_; }
-  [[nodiscard]] long evaluations() const { return evaluations_; }
-
- private:
-  TorqueFree motion_;
-  double interval_;
-  RigidState state_;
-  long evaluations_ = 0;
 };
 
 template <class Book>
-Eigen::Quaterniond orientation(const Book& book) {
+double angle_from(const Book& book, const Eigen::Quaterniond& expected) {
+  Eigen::Quaterniond q(std::nan(""), 0.0, 0.0, 0.0);  // springs: no rigid case is theirs
   if constexpr (std::is_same_v<Book, State>) {
-    return {book[0], book[1], book[2], book[3]};
+    q = {book[0], book[1], book[2], book[3]};
   } else if constexpr (std::is_same_v<Book, RigidState>) {
-    return book.q_WB;
+    q = book.q_WB;
   } else if constexpr (requires { book.R_WB(); }) {
-    return Eigen::Quaterniond(book.R_WB());
+    q = book.R_WB();
   } else if constexpr (requires { book.q_WB(); }) {
-    return book.q_WB();
-  } else {
-    return Eigen::Quaterniond(std::nan(""), 0.0, 0.0, 0.0);  // springs: no rigid case is theirs
+    q = book.q_WB();
   }
-}
-
-double angle_from(const auto& book, const Eigen::Quaterniond& expected) {
-  const Eigen::Quaterniond q = orientation(book);
   return q.coeffs().allFinite() ? geodesic_angle(q, expected) : std::nan("");
 }
 
-void run_all(const RigidCase& c, const Effort& effort, Runs& runs) {
-  const Course course{static_cast<int>(c.q_WB.size()), c.T};
+Ladders all_ladders(const RigidCase& c, const Effort& effort) {
   const BookOptions options = c.options();
+  const double omega = options.omega_W.norm();
+  Course course{static_cast<int>(c.q_WB.size()), c.T};
+  course.fewest = std::max(1.0, std::floor(course.interval() * omega / std::numbers::pi));  // about half a turn a step
   const auto error = [&c](const auto& book, int i) { return angle_from(book, c.q_WB[static_cast<std::size_t>(i)]); };
-  // The coarsest step turns the book by no more than about pi.
-  const double fewest = std::max(1.0, std::floor(course.interval() * options.omega_W.norm() / std::numbers::pi));
-  runs.push_back(measure(
-      {c.problem, exact_solver}, course, effort, [&] { return Exact(c, course.interval()); }, error));
-  for (const Solver& solver : rigid_solvers())
-    climb_steps(c.problem, solver, options, course, fewest, effort, runs, error);
-  const State start{1.0, 0.0, 0.0, 0.0, c.L_W.x(), c.L_W.y(), c.L_W.z()};
-  climb_odeint(c.problem, Method::quaternion, start, FreeBody{c.I_B.cwiseInverse()}, course, fewest,
-               std::min(course.interval(), 0.1 / options.omega_W.norm()), effort, runs, error);
-}
-
-std::ifstream open_reference(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw std::runtime_error(file.string() + ": cannot be read");
-  return in;
-}
-
-TorqueFree motion_of(const RigidCase& c) {
-  return {c.I_B, Eigen::Quaterniond::Identity(), c.L_W};
+  const auto exact = [&] { return Exact{motion_of(c), course.interval()}; };
+  Ladders ladders{{exact_solver, {measure(0.0, course, effort, exact, error)}}};
+  climb_all(rigid_solvers(), options, course, effort, ladders, error);
+  climb_odeint(Method::quaternion, State{1.0, 0.0, 0.0, 0.0, c.L_W.x(), c.L_W.y(), c.L_W.z()},
+               FreeBody{c.I_B.cwiseInverse()}, std::min(course.interval(), 0.1 / omega), course, effort, ladders,
+               error);
+  return ladders;
 }
 
 // When a method that steps its state loses the book: its error from sample to sample, past two flips.
@@ -111,48 +95,55 @@ void error_over_time(Draft& draft, const RigidCase& c) {
   const double between = first + 0.1 * motion.flip_period();
   Plot plot{"time", "angle to the true orientation, radians", false, true};
   plot.y_range = "[1e-16:10]";
-  for (const double flip : {first, second, second + motion.flip_period()}) {
-    if (flip < 1.2 * second)
-      plot.more.push_back(
-          fmt::format("set arrow from {0}, graph 0 to {0}, graph 1 nohead lc rgb '#000000' dt 2", flip));
-  }
+  for (const double flip : {first, second})
+    plot.more.push_back(fmt::format("set arrow from {0}, graph 0 to {0}, graph 1 nohead lc rgb '#000000' dt 2", flip));
   Table table{{"time"}, {}};
   const int samples = static_cast<int>(1.2 * second / interval);
   for (int i = 1; i <= samples; ++i) table.rows.push_back({i * interval});
-  double after_first = std::nan("");
-  double at_second = std::nan("");
+  double after_first = none;
+  double at_second = none;
   std::string nearest;
   for (const Solver& solver : rigid_solvers()) {
     const int order = info_of(solver.integrator).order;
-    if (solver == exact_solver || (order < 4 && solver.integrator != Integrator::explicit_euler)) continue;
-    Series line{name_of(solver), {}, pen_of(solver), Mark::line};
-    std::visit(
-        [&]<class Book>(const Book& book) {
-          if constexpr (requires(Book b) { b.step(1.0); }) {
-            Stepped runner(book, solver.integrator, interval, steps);
-            for (int i = 1; i <= samples; ++i) {
-              (void)runner.to(i);
-              line.points.emplace_back(i * interval,
-                                       std::max(1e-16, angle_from(runner.state(), motion.at(i * interval).q_WB)));
-              table.rows[static_cast<std::size_t>(i) - 1].push_back(line.points.back().second);
-            }
-          }
-        },
-        make_book(solver.method, options_for(solver, c.options())));
-    table.columns.push_back(line.title);
-    const auto error_at = [&](double t) { return line.points[static_cast<std::size_t>(t / interval)].second; };
-    if (!(error_at(between) >= after_first)) {
-      after_first = error_at(between);
-      nearest = line.title;
-    }
-    at_second = std::fmin(at_second, error_at(second));
-    plot.series.push_back(std::move(line));
+    if (order == 2 || order == 3) continue;  // between Euler's lines and the others'
+    visit_stepped(solver, c.options(), [&](const auto& book) {
+      Series line{name_of(solver), {}, pen_of(solver), Mark::line};
+      Stepped<std::decay_t<decltype(book)>> runner{book, interval / steps, steps, 1};
+      for (std::vector<Cell>& row : table.rows) {
+        const double t = std::get<double>(row[0]);
+        (void)runner.to(0);
+        row.emplace_back(std::max(1e-16, angle_from(runner.state, motion.at(t).q_WB)));
+        line.points.emplace_back(t, std::get<double>(row.back()));
+      }
+      table.columns.push_back(line.title);
+      const auto error_at = [&](double t) { return line.points[static_cast<std::size_t>(t / interval)].second; };
+      if (error_at(between) < after_first) nearest = line.title;
+      after_first = std::min(after_first, error_at(between));
+      at_second = std::min(at_second, error_at(second));
+      plot.series.push_back(std::move(line));
+    });
   }
   draft.plot("error_over_time", plot);
   draft.keep("error_over_time", table);
   draft.page["over_time"] = {{"h", interval / steps}, {"first", first},     {"second", second},
                              {"between", between},    {"nearest", nearest}, {"after_first", after_first},
                              {"at_second", at_second}};
+}
+
+void exact_cost(Draft& draft) {
+  BookOptions options;
+  options.omega_W = {0.11482, 1e-4, 5e-5};
+  const TorqueFree motion = exact_motion(options);
+  double sum = 0.0;
+  const double setup = least_ns(30, [&] {
+    for (int n = 0; n < 50; ++n) sum += exact_motion(options).first_flip();
+  });
+  const double evaluations = least_ns(30, [&] {
+    for (int n = 0; n < 1200; ++n) sum += motion.at(0.5 * n).q_WB.w();
+  });
+  asm volatile("" : : "g"(&sum) : "memory");  // else the loops are left out
+  draft.exact_evaluation_ns = evaluations / 1200.0;
+  draft.page["exact"] = {{"setup_us", 1e-3 * setup / 50.0}, {"evaluation_ns", draft.exact_evaluation_ns}};
 }
 
 }  // namespace
@@ -167,52 +158,20 @@ BookOptions RigidCase::options() const {
 
 std::vector<RigidCase> read_rigid_cases(const std::filesystem::path& reference) {
   std::vector<RigidCase> cases;
-  std::ifstream list = open_reference(reference / "cases.txt");
-  for (std::string line; std::getline(list, line);) {
-    std::istringstream words(line);
-    RigidCase c{};
+  std::istringstream list(read_file(reference / "cases.txt"));
+  for (RigidCase c; list >> c.letter; cases.push_back(std::move(c)), c = {}) {
     c.problem = static_cast<Problem>(cases.size());
-    std::string name;
-    std::array<std::string, 7> hex;
-    words >> c.letter >> name;
-    for (std::string& word : hex) words >> word;
-    const auto value = [&hex](std::size_t i) { return std::strtod(hex[i].c_str(), nullptr); };
-    c.I_B = {value(0), value(1), value(2)};
-    c.L_W = {value(3), value(4), value(5)};
-    c.T = value(6);
-    std::ifstream samples = open_reference(reference / ("ref_" + c.letter + ".txt"));
-    while (std::getline(samples, line)) {
-      if (line.starts_with('#')) continue;
-      std::istringstream numbers(line);
-      double t = 0.0;
-      Eigen::Quaterniond q;
-      numbers >> t >> q.w() >> q.x() >> q.y() >> q.z();
-      c.q_WB.push_back(q);
-    }
+    std::string word;
+    for (int i = 0; i < 8; ++i) list >> word;  // its name, and in hexadecimal what follows in decimal
+    list >> c.I_B.x() >> c.I_B.y() >> c.I_B.z() >> c.L_W.x() >> c.L_W.y() >> c.L_W.z() >> c.T;
+    std::istringstream samples(read_file(reference / ("ref_" + c.letter + ".txt")));
+    std::getline(samples, word);  // a comment
+    double t = 0.0;
+    for (Eigen::Quaterniond q; samples >> t >> q.w() >> q.x() >> q.y() >> q.z();) c.q_WB.push_back(q);
     if (c.q_WB.empty() || !(c.T > 0.0) || c.problem > Problem::case_d)
       throw std::runtime_error((reference / "cases.txt").string() + ": no such case: " + c.letter);
-    cases.push_back(std::move(c));
   }
   return cases;
-}
-
-ExactCost exact_cost() {
-  BookOptions options;
-  options.omega_W = {0.11482, 1e-4, 5e-5};
-  double sum = 0.0;  // keeps the loops from being left out
-  ExactCost cost{};
-  cost.setup_ns = least_ns(30,
-                           [&] {
-                             for (int n = 0; n < 50; ++n) sum += exact_motion(options).first_flip();
-                           }) /
-                  50.0;
-  const TorqueFree motion = exact_motion(options);
-  cost.evaluation_ns = least_ns(30,
-                                [&] {
-                                  for (int n = 0; n < 1200; ++n) sum += motion.at(0.5 * n).q_WB.w();
-                                }) /
-                       1200.0;
-  return sum < 1e300 ? cost : ExactCost{};
 }
 
 Plot work_precision_plot(const Runs& runs, const std::vector<Problem>& problems, const std::string& y_label,
@@ -221,30 +180,26 @@ Plot work_precision_plot(const Runs& runs, const std::vector<Problem>& problems,
   Plot plot{"CPU nanoseconds for one unit of simulated time", y_label};
   plot.y_range = fmt::format("[{}:60]", lowest);
   plot.more = {fmt::format("set ytics add ('diverged' {})", fall_back)};
-  double least = 1e300;
+  double least = none;
   double most = 0.0;
   for (const Problem problem : problems) {
-    for (const Solver& solver : solvers_of(runs, problem)) {
+    for (const auto& [solver, ladder] : runs.at(problem)) {
+      const auto finished = [](const Run& run) { return run.outcome == Outcome::finished; };
+      const auto error = [](const Run& run) { return std::max(run.error, 1e-16); };
       const bool single = solver == exact_solver;
-      const std::string title = problem == problems.front() ? name_of(solver) : "";
-      Series line{title, {}, pen_of(solver), single ? Mark::points : Mark::line_and_points};
-      Series crosses{"", {}, pen_of(solver), Mark::cross};
-      for (const Run& run : runs) {
-        if (run.problem != problem || run.solver != solver) continue;
+      plot.series.push_back({problem == problems.front() ? name_of(solver) : "",
+                             points(ladder, finished, &Run::ns_per_time, error), pen_of(solver),
+                             single ? Mark::points : Mark::line_and_points});
+      plot.series.push_back(
+          {"", points(ladder, std::not_fn(finished), &Run::ns_per_time, [](const Run& /*run*/) { return fall_back; }),
+           pen_of(solver), Mark::cross});
+      for (const Run& run : ladder) {
         least = std::min(least, run.ns_per_time);
         most = std::max(most, run.ns_per_time);
-        if (run.outcome == Outcome::finished) {
-          line.points.emplace_back(run.ns_per_time, std::max(run.error, 1e-16));
-        } else {
-          crosses.points.emplace_back(run.ns_per_time, fall_back);
-        }
       }
-      if (single && !line.points.empty()) {
-        const auto& [ns, error] = line.points.front();
-        plot.more.push_back(fmt::format("set label 'exact' at {}, {} left offset 1,0", ns, error));
-      }
-      plot.series.push_back(std::move(line));
-      plot.series.push_back(std::move(crosses));
+      if (single)
+        plot.more.push_back(fmt::format("set label 'exact' at {}, {} left offset 1,0", ladder.front().ns_per_time,
+                                        error(ladder.front())));
     }
   }
   plot.x_range = fmt::format("[{}:{}]", 0.7 * least, 1.4 * most);
@@ -256,55 +211,65 @@ void work_precision(Draft& draft) {
     draft.say("case " + c.letter);
     Effort effort = draft.effort;
     if (c.letter == "d") effort.most_evaluations *= 4;  // a thousand times as many turns
-    run_all(c, effort, draft.runs);
-    draft.keep("cheapest_" + c.letter, cheapest_table(draft.runs, c.problem));
+    const Ladders& ladders = draft.runs[c.problem] = all_ladders(c, effort);
+    draft.keep("cheapest_" + c.letter, cheapest_table(ladders));
     draft.plot("work_precision_" + c.letter,
                work_precision_plot(draft.runs, {c.problem}, "largest error, radians", "1e-16"));
-    const Run* nearest = nearest_stepper(draft.runs, c.problem);
+    const auto [stepper, nearest] = nearest_stepper(ladders);
     const double turns = c.T * c.options().omega_W.norm() / (2.0 * std::numbers::pi);
+    const double flip = motion_of(c).flip_period();
     draft.page[c.letter] = {{"T", c.T},
                             {"kick", c.L_W.y() / c.L_W.x()},
                             {"turns", turns},
                             {"turn", c.T / turns},
-                            {"flips", c.T / motion_of(c).flip_period()},
-                            {"flip", motion_of(c).flip_period()},
+                            {"flips", c.T / flip},
+                            {"flip", flip},
                             {"asymmetry", (c.I_B.x() - c.I_B.y()) / c.I_B.y()},
-                            {"exact_error", best_error(draft.runs, c.problem, exact_solver)},
-                            {"stepper_error", nearest->error},
-                            {"stepper", name_of(nearest->solver)},
-                            {"any", winners(draft.runs, c.problem, false)},
-                            {"stepped", winners(draft.runs, c.problem, true)}};
+                            {"exact_error", ladder(ladders, exact_solver).nearest().error},
+                            {"stepper_error", nearest.error},
+                            {"stepper", name_of(stepper)},
+                            {"any", winners(ladders, false)},
+                            {"stepped", winners(ladders, true)}};
     if (c.problem == Problem::case_b) error_over_time(draft, c);
   }
-  const ExactCost exact = exact_cost();
-  draft.page["exact"] = {{"setup_us", 1e-3 * exact.setup_ns}, {"evaluation_ns", exact.evaluation_ns}};
+  exact_cost(draft);
 
-  // Euler's finest runs; rk4 against Odeint's, step by step; splitting2 against dmv2 on the symmetric body.
-  nlohmann::json euler = nlohmann::json::array();
+  // Euler's finest runs, and a step of rk4 beside one of Odeint's.
+  const Ladders& case_a = draft.runs[Problem::case_a];
+  draft.page["euler"] = nlohmann::json::array();
   for (const Method method : {Method::matrix, Method::quaternion}) {
-    const Solver solver{method};
-    if (const Run* finest = finest_run(draft.runs, Problem::case_a, solver)) {
-      euler.push_back({{"name", name_of(solver)},
-                       {"h", finest->setting},
-                       {"ns", finest->ns_per_time},
-                       {"error", finest->error},
-                       {"best", best_error(draft.runs, Problem::case_a, solver)}});
-    }
+    const Ladder& euler = ladder(case_a, {method});
+    const Run finest = euler.finest();
+    draft.page["euler"].push_back({{"name", name_of(euler.solver)},
+                                   {"h", finest.setting},
+                                   {"ns", finest.ns_per_time},
+                                   {"error", finest.error},
+                                   {"best", euler.nearest().error}});
   }
-  draft.page["euler"] = std::move(euler);
   const auto ns_a_step = [&](const Solver& solver) {
-    const Run* run = finest_run(draft.runs, Problem::case_a, solver);
-    return run == nullptr ? std::nan("") : run->ns_per_time * run->setting;
+    const Run run = ladder(case_a, solver).finest();
+    return run.ns_per_time * run.setting;
   };
   draft.page["rk4"] = {{"own", ns_a_step({Method::quaternion, Integrator::rk4})},
                        {"odeint", ns_a_step({Method::quaternion, Integrator::explicit_euler, Odeint::rk4})}};
-  const Run* dmv2 = coarsest_run(draft.runs, Problem::case_c, {Method::quaternion, Integrator::dmv2});
-  if (dmv2 != nullptr) {
-    const Run* splitting2 =
-        run_near(draft.runs, Problem::case_c, {Method::quaternion, Integrator::splitting2}, dmv2->setting);
-    if (splitting2 != nullptr && splitting2->setting == dmv2->setting) {
-      draft.page["symmetric"] = {{"h", dmv2->setting}, {"dmv2", dmv2->error}, {"splitting2", splitting2->error}};
-    }
+
+  // Two methods of the same order on the symmetric body, at the largest step that all of them bear.
+  Ladders second_order;
+  for (const Ladder& l : draft.runs[Problem::case_c]) {
+    if (!l.solver.odeint && info_of(l.solver.integrator).order == 2) second_order.push_back(l);
+  }
+  double h = none;
+  for (const Ladder& l : second_order) h = std::min(h, l.coarsest().setting);
+  std::sort(second_order.begin(), second_order.end(),
+            [h](const Ladder& a, const Ladder& b) { return a.closest(h).error < b.closest(h).error; });
+  if (second_order.size() > 1) {
+    const Ladder& near = second_order.front();
+    const Ladder& far = second_order.back();
+    draft.page["symmetric"] = {{"h", h},
+                               {"near", name_of(near.solver)},
+                               {"near_error", near.closest(h).error},
+                               {"far", name_of(far.solver)},
+                               {"far_error", far.closest(h).error}};
   }
 }
 

@@ -1,4 +1,4 @@
-// The rigid cases a to d of data/reference, and how solvers are measured against them: the geodesic angle, radians.
+// The rigid cases a to d of data/reference, by which solvers are measured: the geodesic angle, radians.
 //
 // Methods of the program run as a script runs them, normalized after every step; Boost.Odeint's solve q' = q omega / 2,
 // L' = L x omega. Throws std::runtime_error when a reference cannot be read.
@@ -27,12 +27,5 @@ struct RigidCase {
 };
 
 [[nodiscard]] std::vector<RigidCase> read_rigid_cases(const std::filesystem::path& reference);
-
-// One evaluation of the exact motion, and what it costs to set it up: CPU nanoseconds.
-struct ExactCost {
-  double setup_ns;
-  double evaluation_ns;
-};
-[[nodiscard]] ExactCost exact_cost();
 
 }  // namespace bookspin
