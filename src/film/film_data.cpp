@@ -74,8 +74,19 @@ Json as_json(const FilmData& data) {
   json["met"] = std::all_of(data.verdicts.begin(), data.verdicts.end(), [](const Verdict& v) { return v.met; });
   json["expectations"] = Json::array();
   for (const Verdict& v : data.verdicts) {
-    json["expectations"].push_back(
-        {{"says", v.says}, {"text", v.text}, {"met", v.met}, {"found", v.found}, {"frame", v.frame}});
+    json["expectations"].push_back({{"says", v.says},
+                                    {"quantity", quantity(v.quantity).name},
+                                    {"text", v.text},
+                                    {"met", v.met},
+                                    {"found", v.found},
+                                    {"frame", v.frame}});
+  }
+  json["cues"] = Json::array();
+  for (const Cue& cue : film.scene.cues) {
+    if (cue.first_frame >= film.scene.clip.frames) continue;  // of a film made shorter than its script says
+    json["cues"].push_back({{"says", cue.says},
+                            {"first_frame", cue.first_frame},
+                            {"end_frame", std::min(cue.last_frame + 1, film.scene.clip.frames)}});
   }
   json["quantities"] = Json::array();
   for (const Quantity& q : quantities) {

@@ -8,7 +8,8 @@
 //   fingerprints                  of the bytes of film and poster
 //   clip                          frames, fps, time_per_frame, substeps; first_frame and drawn_frames: what is filmed
 //   met                           true when every expectation is met
-//   expectations                  says, text, met, found, frame: one for each bound
+//   expectations                  says, quantity, text, met, found, frame: one for each bound
+//   cues                          captions of the script's own: says, first_frame, end_frame (the first without it)
 //   quantities                    name, unit, meaning; for a chart: title, shown_unit, shown_scale (shown / value), axis
 //                                 (low, high: shown, what it holds whatever the data; most: what cannot be exceeded or 0)
 //   books                         name, method, exploded_frame (null: never), and data: one list a quantity, one number

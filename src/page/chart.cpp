@@ -208,17 +208,18 @@ Json panel_of(const FilmRecord& film, const std::string& names) {
 }  // namespace
 
 Json chart_of(const FilmRecord& film, std::string_view panels) {
-  const double seconds = film.seconds();
   if (panels.empty())
     panels = film.books.size() > 1 ? "tilt, energy_ratio" : "tilt, energy_ratio+angular_momentum_ratio, stretch";
-  Json chart{{"seconds", seconds}, {"panels", Json::array()}, {"times", Json::array()}, {"marks", Json::array()}};
+  const double from = film.first_frame * film.time_per_frame;
+  const double span = film.drawn_frames * film.time_per_frame;
+  Json chart{{"seconds", film.seconds()}, {"from", from},           {"span", span},
+             {"panels", Json::array()},   {"times", Json::array()}, {"marks", Json::array()}};
   for (const std::string& names : split(panels, ',')) chart["panels"].push_back(panel_of(film, names));
-  const double step = round_step(seconds, 9);
-  for (int i = 0; i * step <= seconds * (1.0 + 1e-9); ++i) {
+  const double step = round_step(span, 9);
+  for (double n = std::ceil(from / step - 1e-9); n * step <= from + span * (1.0 + 1e-9); ++n) {
     chart["times"].push_back(
-        {{"at", coordinate(100.0 * i * step / seconds)}, {"label", fmt::format("{:g}", i * step)}});
+        {{"at", coordinate(100.0 * (n * step - from) / span)}, {"label", fmt::format("{:.6g}", n * step + 0.0)}});
   }
-  chart["times"].back()["label"] = chart["times"].back()["label"].get<std::string>() + " s";
   for (const FilmRecord::Book& book : film.books) {
     if (!book.exploded_frame) continue;
     const double share = static_cast<double>(*book.exploded_frame - film.first_frame) / film.drawn_frames;

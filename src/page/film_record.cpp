@@ -75,6 +75,7 @@ class Value {
     if (!json_->is_number() || !std::isfinite(json_->get<double>())) refuse("a number");
     return json_->get<double>();
   }
+  [[nodiscard]] double number_or_null() const { return json_->is_null() ? std::nan("") : number(); }
   // One number an entry, NaN for null.
   [[nodiscard]] std::vector<double> numbers(int count) const {
     if (!json_->is_array() || json_->size() != static_cast<std::size_t>(count)) {
@@ -160,11 +161,16 @@ std::optional<FilmRecord> read_film_record(const fs::path& file) {
   const Value clip = root["clip"];
   film.frames = clip["frames"].whole_number(1, most_frames);
   film.fps = clip["fps"].whole_number(1, 1000);
+  film.time_per_frame = clip["time_per_frame"].number();
   film.first_frame = clip["first_frame"].whole_number(0, film.frames - 1);
   film.drawn_frames = clip["drawn_frames"].whole_number(1, film.frames - film.first_frame);
   film.expectations = root["expectations"].list([&film](const Value& e) {
-    return FilmRecord::Expectation{e["says"].text(), e["text"].text(), e["met"].yes(),
+    return FilmRecord::Expectation{e["says"].text(), e["quantity"].text(), e["found"].number_or_null(), e["met"].yes(),
                                    e["frame"].whole_number(0, film.frames - 1)};
+  });
+  film.cues = root["cues"].list([&film](const Value& cue) {
+    const int first = cue["first_frame"].whole_number(0, film.frames - 1);
+    return FilmRecord::Cue{first, cue["end_frame"].whole_number(first + 1, film.frames), cue["says"].text()};
   });
   film.quantities = root["quantities"].list([](const Value& q) {
     return FilmRecord::Quantity{q["name"].text(),          q["title"].text(),         q["shown_unit"].text(),

@@ -18,9 +18,15 @@ namespace bookspin {
 struct FilmRecord {
   struct Expectation {
     std::string says;
-    std::string text;  // the bound, and what was found
+    std::string quantity;
+    double found = 0.0;  // NaN: nothing
     bool met = false;
     int frame = 0;  // in which it was decided
+  };
+  struct Cue {
+    int first = 0;  // frame of the clip
+    int end = 0;    // the first frame without it
+    std::string text;
   };
   struct Quantity {  // and how a chart shows it
     std::string name;
@@ -48,13 +54,16 @@ struct FilmRecord {
   int height = 0;      // pixels
   int frames = 0;      // of the clip
   int fps = 0;
+  double time_per_frame = 0.0;  // simulated
   int first_frame = 0;
   int drawn_frames = 0;
+  std::vector<Cue> cues;  // the script's own
   std::vector<Expectation> expectations;
   std::vector<Quantity> quantities;
   std::vector<Book> books;  // at least one
 
   [[nodiscard]] double seconds() const { return static_cast<double>(drawn_frames) / fps; }
+  [[nodiscard]] double seconds_at(int frame) const { return static_cast<double>(frame - first_frame) / fps; }
 };
 
 // Nothing for a file that does not claim to be a film's data: other JSON may lie beside the films.

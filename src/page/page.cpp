@@ -3,16 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <list>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <stdexcept>
 
 #include "files/files.h"
-#include "page/chart.h"
-#include "page/events.h"
 #include "fill/fill.h"
+#include "page/chart.h"
+#include "page/cues.h"
 #include "page/film_record.h"
 
 namespace bookspin {
@@ -67,15 +69,44 @@ std::string kind_of(const std::string& name) {
   return std::regex_match(name, found, figure) ? "Figure " + found[1].str() : "Film";
 }
 
+// A frame of the clip: in the film's seconds for the player, in the scene's time for the reader.
+Json moment(const FilmRecord& film, int frame) {
+  return {{"seconds", fmt::format("{:.3f}", film.seconds_at(frame))},
+          {"time", fmt::format("t = {:.{}f}", frame * film.time_per_frame, film.time_per_frame < 0.1 ? 1 : 0)}};
+}
+
+// Three digits, as a reader writes them: 0.953, 4 × 10⁻¹⁶.
+std::string readable(double value) {
+  if (value == 0.0 || std::abs(value) >= 1e-4) return fmt::format("{:.3g}", value);
+  static const char* const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  const std::string text = fmt::format("{:.0e}", value);  // 4e-16
+  std::string out = text.substr(0, text.find('e')) + " × 10⁻";
+  for (const char c : fmt::format("{}", std::stoi(text.substr(text.find('-') + 1)))) out += digits[c - '0'];
+  return out;
+}
+
+// "Stretch 0.06 %", "Energy E/E₀ 0.953".
+std::string measured(const FilmRecord& film, const FilmRecord::Expectation& e) {
+  const auto q = std::find_if(film.quantities.begin(), film.quantities.end(),
+                              [&e](const FilmRecord::Quantity& one) { return one.name == e.quantity; });
+  if (q == film.quantities.end() || std::isnan(e.found)) return {};
+  if (e.quantity == "exploded") return e.found != 0.0 ? "exploded" : "not exploded";
+  return fmt::format("{} {}{}{}", q->title, readable(e.found * q->scale), q->unit.empty() || q->unit == "°" ? "" : " ",
+                     q->unit);
+}
+
 // One claim for each thing said; two bounds under the same words are one.
-Json claims_of(const std::vector<FilmRecord::Expectation>& expectations) {
+Json claims_of(const FilmRecord& film) {
   Json claims = Json::array();
-  for (const FilmRecord::Expectation& e : expectations) {
+  for (const FilmRecord::Expectation& e : film.expectations) {
     if (claims.empty() || claims.back()["says"] != e.says) {
       claims.push_back({{"says", e.says}, {"met", true}, {"found", Json::array()}});
     }
     claims.back()["met"] = claims.back()["met"] == true && e.met;
-    claims.back()["found"].push_back(e.text);
+    Json found = moment(film, e.frame);
+    found["value"] = measured(film, e);
+    found["shown"] = e.frame >= film.first_frame && e.frame < film.first_frame + film.drawn_frames;
+    claims.back()["found"].push_back(found);
   }
   return claims;
 }
@@ -94,10 +125,11 @@ Json film_context(const fs::path& site, const FilmRecord& film, const std::strin
                {"data", percent_encoded(film.name + ".json")},
                {"width", film.width},
                {"height", film.height},
+               {"fps", film.fps},
                {"size", readable_size(fs::file_size(site / product))},
                {"script", film.script},
-               {"script_file", film.name + ".toml"}};
-  context["claims"] = claims_of(film.expectations);
+               {"script_file", film.name + ".toml"},
+               {"claims", claims_of(film)}};
   const Json& claims = context["claims"];
   const auto met = std::count_if(claims.begin(), claims.end(), [](const Json& c) { return c["met"] == true; });
   context["judged"] = !claims.empty();
@@ -107,15 +139,21 @@ Json film_context(const fs::path& site, const FilmRecord& film, const std::strin
 
   context["chart"] = chart_of(film, panels);
   context["length"] = fmt::format("{:.{}f} s", film.seconds(), film.seconds() < 10.0 ? 1 : 0);
-  const std::vector<Event> events = events_of(film);
-  context["eventful"] = !events.empty();
+  const std::vector<FilmRecord::Cue> cues = cues_of(film);
+  context["eventful"] = !cues.empty();
   context["events"] = Json::array();
-  for (const Event& event : events) {
-    context["events"].push_back({{"seconds", fmt::format("{:.3f}", event.seconds)},
-                                 {"time", fmt::format("{:.1f} s", event.seconds)},
-                                 {"what", event.what}});
+  for (const FilmRecord::Cue& cue : cues) {
+    context["events"].push_back(moment(film, cue.first));
+    context["events"].back()["what"] = cue.text;
   }
-  context["captions"] = "data:text/vtt;charset=utf-8," + percent_encoded(web_vtt(events, film.seconds()));
+  const auto turn = std::find_if(cues.begin(), cues.end(), [](const FilmRecord::Cue& cue) {
+    return cue.text.find("turning over") != std::string::npos;
+  });
+  context["turn"] = turn == cues.end() ? "0" : moment(film, turn->first)["seconds"].get<std::string>();
+  context["vtt_file"] = film.name + ".vtt";
+  context["vtt_text"] = web_vtt(film, cues);
+  context["vtt"] = percent_encoded(film.name + ".vtt");
+  context["captions"] = "data:text/vtt;charset=utf-8," + percent_encoded(context["vtt_text"]);
   return context;
 }
 
@@ -128,7 +166,7 @@ std::string find_places(const std::string& text, std::map<std::string, std::stri
     const std::string name = (*found)[1];
     panels[name] = (*found)[2];
     out.append(rest, (*found)[0].first);
-    out += fmt::format("{{{{{{films.{}}}}}}}", name);
+    out += fmt::format("{{{{{{films.{}.html}}}}}}", name);
     rest = (*found)[0].second;
   }
   return out.append(rest, text.cend());
@@ -155,24 +193,35 @@ PageReceipt write_page(const PageOrder& order) {
                {"films", Json::object()},
                {"more", Json::array()}};
   context["report"] = fs::exists(order.site / "report" / "index.html");
-  for (const auto& [name, unused] : panels) {
-    context["films"][name] = fill(missing_template, {{"name", name}}, source_name("missing.html"));
+  for (const auto& entry : fs::directory_iterator(order.templates)) {
+    if (entry.path().extension() == ".svg") context["drawings"][entry.path().stem().string()] = read_file(entry.path());
   }
+  for (const auto& [name, unused] : panels) {
+    context["films"][name]["html"] = fill(missing_template, {{"name", name}}, source_name("missing.html"));
+  }
+  std::list<Part> parts;
   for (const FilmRecord& film : films) {
     const auto place = panels.find(film.name);
     Json shown = film_context(order.site, film, place == panels.end() ? "" : place->second);
     shown["snippet"] = fill(figure_template, shown, source_name("figure.html"));
-    const std::string html = fill(film_template, shown, source_name("film.html"));
+    shown["html"] = fill(film_template, shown, source_name("film.html"));
+    if (!film.film.empty()) {
+      write_part(parts.emplace_back(order.site / shown["vtt_file"].get<std::string>()),
+                 [&shown](std::ostream& out) { out << shown["vtt_text"].get_ref<const std::string&>(); });
+    }
     if (story && place != panels.end()) {
-      context["films"][film.name] = html;
+      context["films"][film.name] = std::move(shown);
     } else {
-      context["more"].push_back({{"id", shown["id"]}, {"title", film.title}, {"html", html}});
+      context["more"].push_back(std::move(shown));
     }
   }
   context["any_more"] = !context["more"].empty();
-  const fs::path file = order.site / "index.html";
-  write_file(file, fill(page_template, context, source_name("template.html")));
-  return {file, static_cast<int>(films.size()), fs::file_size(file)};
+  const std::string page = fill(page_template, context, source_name("template.html"));
+  write_part(parts.emplace_back(order.site / "index.html"), [&page](std::ostream& out) { out << page; });
+  std::vector<Part*> all;
+  for (Part& part : parts) all.push_back(&part);
+  publish(all);
+  return {parts.back().file(), static_cast<int>(films.size()), page.size()};
 }
 
 }  // namespace bookspin

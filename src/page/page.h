@@ -3,7 +3,7 @@
 //
 // One file that needs nothing but the films and posters beside it: style and script are written into it, the captions
 // are data: addresses, the charts are drawn here (a browser reads no other file's data from a folder opened as
-// file://). In template.html, {{film NAME: panels}} is the place of NAME, panels as chart.h says. When at least half of
+// file://). The captions are written as NAME.vtt too, for pages elsewhere; all take their names together. In template.html, {{film NAME: panels}} is the place of NAME, panels as chart.h says. When at least half of
 // these are there, the template's {{#story}} is told: the others' places say what is missing, and films without a place
 // follow under {{#more}}. Else all films are under {{#more}}, sorted by name. film.html is one film on the page,
 // missing.html the place of one that is not there, figure.html the snippet for one's own page; see fill.h.

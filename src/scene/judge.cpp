@@ -28,6 +28,7 @@ Verdict judge_bound(const Expectation& e, const Bound& bound, const std::vector<
   const int last = e.last_frame.value_or(end - 1);
   Verdict verdict;
   verdict.says = e.says;
+  verdict.quantity = e.quantity;
   const std::string range =
       e.first_frame == last ? fmt::format("in frame {}", last) : fmt::format("in frames {} to {}", e.first_frame, last);
   const Quantity& q = quantity(e.quantity);

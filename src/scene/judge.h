@@ -15,6 +15,7 @@ namespace bookspin {
 
 struct Verdict {
   std::string says;  // the expectation's words
+  Q quantity = Q::tilt;
   bool met = false;
   double found = 0.0;  // of all values in the range the one that decides: the smallest or the largest
   int frame = 0;       // where it was found

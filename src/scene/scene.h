@@ -71,6 +71,13 @@ struct Expectation {
   std::optional<double> falls_to;  // reached or passed downwards by some frame
 };
 
+// A caption that the script itself gives.
+struct Cue {
+  std::string says;
+  int first_frame = 0;
+  int last_frame = 0;  // included
+};
+
 struct Scene {
   std::string title;
   std::string caption;
@@ -79,6 +86,7 @@ struct Scene {
   ViewSetup view;
   std::vector<BookSetup> books;  // 1 ... 8
   std::vector<Expectation> expectations;
+  std::vector<Cue> cues;  // in order, without overlap; none: the page finds them in the motion
 };
 
 }  // namespace bookspin

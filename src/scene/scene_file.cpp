@@ -8,6 +8,8 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
 
 #include "files/files.h"
 #include "scene/any_book.h"
@@ -127,6 +129,19 @@ BookSetup read_book(const toml::table& table, const std::string& path) {
   return book;
 }
 
+std::pair<int, int> read_frame_pair(TableReader& reader, const toml::node& node) {
+  const std::string allowed =
+      fmt::format("two frames [first, last], from 0 to {}, the first not after the last", most_frames);
+  const toml::array* list = node.as_array();
+  if (list == nullptr || list->size() != 2 || !(*list)[0].is_integer() || !(*list)[1].is_integer()) {
+    reader.fail(node, "frames", allowed);
+  }
+  const auto first = (*list)[0].as_integer()->get();
+  const auto last = (*list)[1].as_integer()->get();
+  if (first < 0 || last < first || last > most_frames) reader.fail(node, "frames", allowed);
+  return {static_cast<int>(first), static_cast<int>(last)};
+}
+
 void read_frames(TableReader& reader, Expectation& e) {
   if (reader.has("frame")) {
     reader.read("frame", e.first_frame, 0, most_frames);
@@ -135,17 +150,9 @@ void read_frames(TableReader& reader, Expectation& e) {
   }
   const toml::node* node = reader.node("frames");
   if (node == nullptr) return;
-  const std::string allowed =
-      fmt::format("two frames [first, last], from 0 to {}, the first not after the last", most_frames);
-  const toml::array* list = node->as_array();
-  if (list == nullptr || list->size() != 2 || !(*list)[0].is_integer() || !(*list)[1].is_integer()) {
-    reader.fail(*node, "frames", allowed);
-  }
-  const auto first = (*list)[0].as_integer()->get();
-  const auto last = (*list)[1].as_integer()->get();
-  if (first < 0 || last < first || last > most_frames) reader.fail(*node, "frames", allowed);
-  e.first_frame = static_cast<int>(first);
-  e.last_frame = static_cast<int>(last);
+  const auto [first, last] = read_frame_pair(reader, *node);
+  e.first_frame = first;
+  e.last_frame = last;
 }
 
 Expectation read_expectation(const toml::table& table, const std::string& path, int books) {
@@ -167,6 +174,21 @@ Expectation read_expectation(const toml::table& table, const std::string& path, 
   }
   reader.done();
   return e;
+}
+
+Cue read_cue(const toml::table& table, const std::string& path, const std::vector<Cue>& before) {
+  TableReader reader(table, path);
+  Cue cue;
+  reader.read("says", cue.says);
+  if (cue.says.empty()) reader.fail_missing("says", "a text in quotes, not empty");
+  const toml::node* node = reader.node("frames");
+  if (node == nullptr) reader.fail_missing("frames", "two frames [first, last]");
+  std::tie(cue.first_frame, cue.last_frame) = read_frame_pair(reader, *node);
+  if (!before.empty() && cue.first_frame <= before.back().last_frame) {
+    reader.fail(*node, "frames", fmt::format("frames after {}, the last of the cue before", before.back().last_frame));
+  }
+  reader.done();
+  return cue;
 }
 
 const toml::array* tables(TableReader& reader, std::string_view key) {
@@ -209,6 +231,11 @@ Scene read_scene(const toml::table& table) {
     for (std::size_t i = 0; i < list->size(); ++i) {
       scene.expectations.push_back(
           read_expectation(*(*list)[i].as_table(), fmt::format("expect.{}", i), static_cast<int>(scene.books.size())));
+    }
+  }
+  if (const toml::array* list = tables(reader, "cue")) {
+    for (std::size_t i = 0; i < list->size(); ++i) {
+      scene.cues.push_back(read_cue(*(*list)[i].as_table(), fmt::format("cue.{}", i), scene.cues));
     }
   }
   reader.done();

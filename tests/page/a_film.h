@@ -1,4 +1,4 @@
-// A small film, two seconds of one book that turns over at frame 10: its data as film/film_data.h describes them, and
+// A small film, four seconds of one book that turns over at frame 20: its data as film/film_data.h describes them, and
 // what is read from them.
 #pragma once
 
@@ -53,10 +53,12 @@ inline nlohmann::json a_film(int frames = 20) {
           {"met", true},
           {"expectations",
            {{{"says", "it turns over"},
+             {"quantity", "flips"},
              {"text", "flips at least 1: found 1"},
              {"met", true},
              {"found", 1},
              {"frame", 19}}}},
+          {"cues", nlohmann::json::array()},
           {"quantities",
            {a_quantity("tilt", "Tilt of the spin axis", "°", 1.0, 0.0, 5.0, 180.0),
             a_quantity("flips", "Flips so far", "", 1.0, 0.0, 1.0, 0.0),

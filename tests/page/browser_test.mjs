@@ -3,7 +3,7 @@
 
 import { createServer } from "node:http";
 import { createRequire } from "node:module";
-import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { cpSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { extname, join } from "node:path";
 import { pathToFileURL } from "node:url";
 
@@ -29,7 +29,7 @@ function expect(condition, message) {
 }
 
 // Serves the site as any web server does: with ranges, without which a browser cannot seek.
-const types = { ".html": "text/html; charset=utf-8", ".mp4": "video/mp4", ".png": "image/png", ".json": "application/json" };
+const types = { ".html": "text/html; charset=utf-8", ".mp4": "video/mp4", ".png": "image/png", ".json": "application/json", ".vtt": "text/vtt" };
 const server = createServer((request, response) => {
   const file = join(site, decodeURIComponent(new URL(request.url, "http://x").pathname));
   const type = types[extname(file)];
@@ -85,11 +85,12 @@ const names = (page) => page.$$eval(".film:has(video)", (films) => films.map((fi
 const state = (id) => {
   const film = document.getElementById(id);
   const video = film.querySelector("video");
-  const seconds = Number(film.querySelector(".chart").dataset.seconds);
+  const [seconds, span] = ["seconds", "span"].map((key) => Number(film.querySelector(".screen").dataset[key]));
   return {
     time: video.currentTime, duration: video.duration, seconds, width: video.videoWidth,
     cursor: (parseFloat(film.querySelector(".cursor").style.left) / 100) * seconds,
-    told: Number(film.querySelector(".seek").getAttribute("aria-valuenow")),
+    told: (Number(film.querySelector(".seek").getAttribute("aria-valuenow")) * seconds) / span,
+    paused: video.paused, rate: video.playbackRate, captions: video.textTracks[0].mode,
   };
 };
 async function until(page, id, what, holds) {
@@ -140,10 +141,73 @@ for (const [origin, address] of Object.entries(origins)) {
     for (const id of films) await watch(page, id);
     const tracks = await captions(page, ".film video");
     expect(tracks.every((t) => t.state === 2), "captions that do not load: " + JSON.stringify(tracks));
-    expect(tracks.some((t) => t.cues > 1), "no film has captions");
+    expect(tracks.every((t) => t.cues > 0), "a film without captions: " + JSON.stringify(tracks));
     await close(page);
   });
 }
+
+await check("the player steps, slows down, shows captions, fills the screen, and runs one film at a time", async () => {
+  const page = await open(origins["file://"]);
+  const [id, other] = await names(page);
+  const film = page.locator(`[id="${id}"]`);
+  const press = (name) => film.locator(`.player [data-do="${name}"]`).click();
+  expect(await film.locator("video").evaluate((video) => !video.controls), "a second scrubber");
+  await film.locator(".seek").press("Home");
+  await until(page, id, "it begins", (s) => s.width > 0 && s.time === 0);
+  await press("on");
+  await until(page, id, "a frame on", (s) => near(s.time, 1.5 / 60) && s.paused);
+  await film.locator(".seek").press(".");
+  await until(page, id, "another by key", (s) => Math.abs(s.time - 2.5 / 60) < 0.002);
+  await press("back");
+  await until(page, id, "a frame back", (s) => Math.abs(s.time - 1.5 / 60) < 0.002);
+  await press("speed");
+  await press("captions");
+  await until(page, id, "half the speed, with captions", (s) => s.rate === 0.5 && s.captions === "showing");
+  await press("play");
+  await until(page, id, "it plays", (s) => !s.paused);
+  await page.locator(`[id="${other}"] .seek`).press("Space");
+  await until(page, id, "it stops when another begins", (s) => s.paused);
+  await press("full");
+  await page.waitForFunction((name) => document.fullscreenElement?.closest(".film").id === name, id);
+  const chart = await film.locator(".chart").boundingBox();
+  const size = await page.evaluate(() => innerHeight);
+  expect(chart.y > 0 && chart.y + chart.height <= size, `the chart stands at ${JSON.stringify(chart)} of ${size}`);
+  await press("full");
+  await page.waitForFunction(() => !document.fullscreenElement);
+  // One tab stop for all of the buttons.
+  expect((await film.locator(".player button:not([tabindex='-1'])").count()) === 1, "tab stops");
+  await film.locator(".player [data-do=full]").focus();
+  await page.keyboard.press("ArrowLeft");
+  expect(await film.locator(".player [data-do=captions]").evaluate((b) => b === document.activeElement), "arrows");
+  await close(page);
+});
+
+await check("a claim and an event show their moment, film in sight", async () => {
+  const page = await open(origins["file://"], { viewport: { width: 1280, height: 800 } });
+  await page.locator("#fig05_unstable_x summary").click();
+  for (const link of ["#fig05_unstable_x .claims [data-time]", "#fig05_unstable_x .events [data-time]"]) {
+    const there = page.locator(link).last();
+    const time = Number(await there.getAttribute("data-time"));
+    await there.click();
+    await until(page, "fig05_unstable_x", link, (s) => near(s.time, time) && near(s.cursor, time));
+    await page.waitForFunction(() => {
+      const box = document.querySelector("#fig05_unstable_x .screen").getBoundingClientRect();
+      return box.top >= -1 && box.bottom <= innerHeight + 1;
+    });
+  }
+  await close(page);
+});
+
+await check("the first screen shows a book that turns over, and it can be stopped", async () => {
+  const page = await open(origins["a server"], { viewport: { width: 1280, height: 800 } });
+  const hero = page.locator(".hero video");
+  const box = await hero.boundingBox();
+  expect(box.y >= 0 && box.y + box.height <= 800, JSON.stringify(box));
+  await page.waitForFunction(() => !document.querySelector(".hero video").paused);
+  await page.locator(".hold").click();
+  await page.waitForFunction(() => document.querySelector(".hero video").paused);
+  await close(page);
+});
 
 await check("the posters are pictures", async () => {
   const page = await open(origins["file://"]);
@@ -160,7 +224,7 @@ await check("the posters are pictures", async () => {
 // The snippets in an empty page: each film loads its picture, plays and has captions.
 async function works(address, count) {
   const page = await open(address);
-  const found = await page.$$eval("figure video", (all) => Promise.all(all.map(async (video) => {
+  const found = await page.$$eval("video", (all) => Promise.all(all.map(async (video) => {
     await video.play();
     for (let i = 0; i < 100 && video.currentTime < 0.1; ++i) await new Promise((done) => setTimeout(done, 50));
     video.pause();
@@ -168,33 +232,40 @@ async function works(address, count) {
   })));
   expect(found.length === count, `${found.length} of ${count} films`);
   expect(found.every((f) => f.time >= 0.1 && f.width === 192), JSON.stringify(found));
-  expect((await captions(page, "figure video")).every((t) => t.state === 2), "captions do not load");
+  expect((await captions(page, "video")).every((t) => t.state === 2), "captions do not load");
   await close(page);
 }
 const empty = (body) => `<!DOCTYPE html><html lang="en"><meta charset="utf-8"><title>Mine</title><link rel="icon" href="data:,">${body}</html>`;
 
 await check("a copied snippet works in an empty page in another folder", async () => {
-  const page = await open(origins["file://"]);
-  const embed = page.locator("#fig05_unstable_x .embed");
-  await embed.locator("summary").click();
-  await embed.locator(".copy").click();
+  const elsewhere = join(site, "elsewhere");
+  mkdirSync(elsewhere, { recursive: true });
+  const page = await open(origins["a server"]);
+  const more = page.locator("#fig05_unstable_x .more");
+  await more.locator("summary").click();
+  await more.locator("[data-copy$=snippet]").click();
   await page.getByText("Copied", { exact: true }).waitFor();
   const snippet = await page.evaluate(() => navigator.clipboard.readText());
   // Every snippet, and the one for a film that lies beside the page.
   const all = await page.$$eval(".film:has(video) .snippet", (pres) => pres.map((pre) => pre.textContent));
-  await embed.locator(".base").fill("");
+  await more.locator(".base").fill("");
   const beside = await page.locator("#fig05_unstable_x-snippet").textContent();
   await close(page);
-  const other = mkdtempSync(join(folder, "other-"));
-  writeFileSync(join(other, "one.html"), empty(snippet));
-  writeFileSync(join(other, "all.html"), empty(all.join("\n")));
-  mkdirSync(join(other, "beside"));
-  for (const end of ["mp4", "png"]) cpSync(join(site, "fig05_unstable_x." + end), join(other, "beside", "fig05_unstable_x." + end));
-  writeFileSync(join(other, "beside", "page.html"), empty(beside));
-  await works(pathToFileURL(join(other, "one.html")).href, 1);
-  await works(pathToFileURL(join(other, "all.html")).href, all.length);
-  await works(pathToFileURL(join(other, "beside", "page.html")).href, 1);
-  rmSync(other, { recursive: true });
+  writeFileSync(join(elsewhere, "one.html"), empty(snippet));
+  writeFileSync(join(elsewhere, "all.html"), empty(all.join("\n")));
+  writeFileSync(join(elsewhere, "beside.html"), empty(beside));
+  for (const end of ["mp4", "png", "vtt"]) cpSync(join(site, "fig05_unstable_x." + end), join(elsewhere, "fig05_unstable_x." + end));
+  for (const [name, count] of [["one", 1], ["all", all.length], ["beside", 1]]) {
+    await works(origins["a server"].replace("index.html", `elsewhere/${name}.html`), count);
+  }
+  rmSync(elsewhere, { recursive: true });
+});
+
+await check("a snippet from a page on a disk names no place on that disk", async () => {
+  const page = await open(origins["file://"]);
+  const snippets = await page.$$eval(".snippet", (pres) => pres.map((pre) => pre.textContent).join());
+  expect(!snippets.includes("file:"), "file: addresses");
+  await close(page);
 });
 
 await check("a copied script is the script", async () => {
@@ -208,8 +279,8 @@ await check("a copied script is the script", async () => {
 });
 
 // Nothing sticks out, closed or open, and axe has nothing to say.
-async function layout(address, width, colorScheme) {
-  const page = await open(address, { viewport: { width, height: 900 }, colorScheme });
+async function layout(address, width, look) {
+  const page = await open(address, { viewport: { width, height: 900 }, ...look });
   const overflow = () => page.evaluate(() => {
     const wide = document.documentElement.scrollWidth - innerWidth;
     const out = [...document.querySelectorAll("main *")].filter((e) => !e.closest("pre") && e.getBoundingClientRect().right > innerWidth + 1);
@@ -225,9 +296,10 @@ async function layout(address, width, colorScheme) {
   await close(page);
 }
 
+const looks = { light: { colorScheme: "light" }, dark: { colorScheme: "dark" }, "forced colors": { forcedColors: "active" } };
 for (const width of [360, 768, 1920]) {
-  for (const colorScheme of ["light", "dark"]) {
-    await check(`layout and accessibility at ${width} pixels, ${colorScheme}`, () => layout(origins["file://"], width, colorScheme));
+  for (const [name, look] of Object.entries(looks)) {
+    await check(`layout and accessibility at ${width} pixels, ${name}`, () => layout(origins["file://"], width, look));
   }
 }
 
@@ -242,7 +314,7 @@ for (const [origin, address] of Object.entries(origins)) {
     await page.locator("nav a").last().click();
     expect(await page.locator(".film").last().evaluate((film) => film.matches(":target")), "a link in the head finds its film");
     await close(page);
-    for (const width of [360, 1280]) await layout(own, width, "light");
+    for (const width of [360, 1280]) await layout(own, width, looks.light);
   });
 }
 
@@ -254,6 +326,12 @@ await check("print shows posters, not films", async () => {
     return film.querySelector("video").offsetParent !== null || image.offsetWidth === 0 || image.naturalWidth === 0;
   }).map((film) => film.id));
   expect(bad.length === 0, bad.join());
+  // A heading stays with what follows it, a film is on one page, and there are not too many pages.
+  const loose = await page.$$eval("h2, h3, .film", (all) => all.filter((e) =>
+    getComputedStyle(e)[e.matches(".film") ? "breakInside" : "breakAfter"] !== "avoid").length);
+  expect(loose === 0, `${loose} that break`);
+  const pages = (await page.pdf({ format: "A4" })).toString("latin1").match(/\/Type \/Page\b/g).length;
+  expect(pages <= 16, `${pages} pages`);
   await close(page);
 });
 
@@ -268,7 +346,7 @@ await check("text and charts are there without a script", async () => {
   const page = await open(origins["file://"], { javaScriptEnabled: false });
   const charts = await page.locator(".chart path").evaluateAll((all) => all.filter((p) => p.getBoundingClientRect().width > 100).length);
   expect(charts >= 12, `${charts} curves`);
-  expect((await page.locator(".copy:visible, .seek:visible").count()) === 0, "a button that does nothing is shown");
+  expect((await page.locator(".copy:visible, .seek:visible, .player:visible, .hold:visible").count()) === 0, "a button that does nothing is shown");
   await close(page);
 });
 

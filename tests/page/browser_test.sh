@@ -1,6 +1,6 @@
 #!/bin/sh
 # The course page in a real browser: browser_test.sh BOOKSPIN FOLDER
-# Makes a small site in FOLDER and runs browser_test.mjs. Exit code 77 when what browser_tools.sh fetches is not there.
+# Makes a small site in FOLDER and runs browser_test.mjs and firefox_test.mjs. Exit code 77 when what browser_tools.sh fetches is not there.
 set -u
 bookspin=$1
 folder=$2
@@ -25,4 +25,9 @@ for name in "my film" "50% #2?"; do
   "$bookspin" render "$name.toml" -o site/own --size 192x108 --set clip.frames=75 >>render.log
 done
 "$bookspin" page site/own || exit 1
-node "$here/browser_test.mjs" "$folder" "$project/videos"
+node "$here/browser_test.mjs" "$folder" "$project/videos" || exit 1
+if command -v firefox-esr >/dev/null; then
+  node "$here/firefox_test.mjs" "$folder" || exit 1
+else
+  echo "Firefox skipped: make test fetches it (tests/page/browser_tools.sh)"
+fi

@@ -1,7 +1,7 @@
 #!/bin/sh
 # What the page's test in a browser needs beyond the rest, fetched into FOLDER: browser_tools.sh FOLDER
-# Debian's node and Chromium, and two packages of npm. Says what it fetches. When something cannot be fetched the reason is printed and
-# left in FOLDER/skipped, and the test is skipped; the exit code is 0 all the same.
+# Debian's node, Chromium and Firefox, a cleaner of HTML, and two packages of npm. Says what it fetches. When something cannot be
+# fetched the reason is printed and left in FOLDER/skipped, and that test is skipped; the exit code is 0 all the same.
 set -u
 project=$(cd "$(dirname "$0")/../.." && pwd)
 mkdir -p "$1" && cd "$1" || exit 1
@@ -30,3 +30,8 @@ if [ ! -d node_modules/playwright-core ] || [ ! -d node_modules/axe-core ]; then
     skip "npm could not fetch playwright-core and axe-core: $(grep -m 1 -i error npm.log || echo no answer in two minutes)"
 fi
 need chromium chromium
+command -v firefox-esr >/dev/null || { echo firefox-esr >packages.txt && "$project/install-packages" "$PWD/packages.txt"; } ||
+  echo "Firefox skipped: firefox-esr could not be installed" | tee skipped
+/usr/bin/python3 -c 'import bleach' 2>/dev/null || { echo python3-bleach >packages.txt && "$project/install-packages" "$PWD/packages.txt"; } ||
+  echo "page_cleaner skipped: python3-bleach could not be installed" | tee -a skipped
+exit 0

@@ -113,5 +113,18 @@ TEST(Chart, OnlyTheDrawnFramesAreShown) {
   EXPECT_EQ(chart["panels"][0]["curves"][0]["path"], "M0,1000 200,1000 400,27.8 600,27.8 800,27.8");
 }
 
+// In the scene's time, 0.5 a frame.
+TEST(Chart, ItsTimeIsTheScenes) {
+  json film = a_film();
+  EXPECT_THAT(labels(chart_of(as_read(film), "tilt")["times"]), testing::ElementsAre("0", "2", "4", "6", "8", "10"));
+  film["clip"]["first_frame"] = 9;
+  film["clip"]["drawn_frames"] = 4;
+  const json chart = chart_of(as_read(film), "tilt");  // t = 4.5 to 6.5
+  EXPECT_EQ(chart["from"], 4.5);
+  EXPECT_EQ(chart["span"], 2.0);
+  EXPECT_THAT(labels(chart["times"]), testing::ElementsAre("4.5", "5", "5.5", "6", "6.5"));
+  EXPECT_EQ(chart["times"][1]["at"], "25");
+}
+
 }  // namespace
 }  // namespace bookspin

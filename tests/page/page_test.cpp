@@ -103,11 +103,16 @@ TEST_F(Page, ANameIsGoodInAnAddressWhateverItIs) {
 TEST_F(Page, AFilmHasAllThatAReaderNeeds) {
   const std::string html = made();
   EXPECT_THAT(html, HasSubstr("src=\"a.mp4\" poster=\"a.png\""));
-  EXPECT_THAT(html, HasSubstr("1 of 1 measured claims hold"));
-  EXPECT_THAT(html, HasSubstr("flips at least 1: found 1"));
+  EXPECT_THAT(html, HasSubstr("1 of 1 claims hold, measured"));
+  EXPECT_THAT(html, HasSubstr("Flips so far 1 <a href=\"a.mp4#t=1.900\" data-time=\"1.900\">at t = 10</a>"));
+  EXPECT_THAT(html,
+              HasSubstr("<a href=\"a.mp4#t=1.000\" data-time=\"1.000\">t = 5</a> <span>The book has turned over."));
   EXPECT_THAT(html, HasSubstr("<a href=\"a.mp4\" download>"));
-  EXPECT_THAT(html, HasSubstr("&lt;figure"));
-  EXPECT_THAT(html, HasSubstr("data:text/vtt;charset=utf-8,WEBVTT%0A%0A00%3A00%3A01.000"));
+  EXPECT_THAT(html, HasSubstr("<a href=\"a.vtt\" download>"));
+  EXPECT_THAT(html, HasSubstr("src=&quot;a.vtt&quot;"));  // in the snippet
+  EXPECT_THAT(html, HasSubstr("data:text/vtt;charset=utf-8,WEBVTT%0A%0A00%3A00%3A00.000"));
+  EXPECT_THAT(read_text(scratch / "site/a.vtt"),
+              HasSubstr("\n00:00:01.000 --> 00:00:02.000\nThe book has turned over.\n"));
   EXPECT_THAT(html, HasSubstr("title = &quot;A film&quot;"));
 }
 
@@ -129,24 +134,50 @@ TEST_F(Page, WordsStayWords) {
   EXPECT_THAT(html, HasSubstr("&amp;lt;/script&amp;gt;"));  // in the snippet, which is shown as text: escaped twice
 }
 
+TEST_F(Page, WhatIsFoundIsReadable) {
+  json film = a_film();
+  json& e = film["expectations"][0];
+  const auto with = [&](const char* quantity, const json& found) {
+    e["quantity"] = quantity;
+    e["found"] = found;
+    put("a", film);
+    return made();
+  };
+  EXPECT_THAT(with("tilt", 177.93), HasSubstr("Tilt of the spin axis 178° <a"));
+  EXPECT_THAT(with("stretch", 0.000563), HasSubstr("Stretch 0.0563 % <a"));
+  EXPECT_THAT(with("energy_ratio", 4.44e-16), HasSubstr("Energy E/E₀ 4 × 10⁻¹⁶ <a"));
+  EXPECT_THAT(with("angle_error", nullptr), HasSubstr("<small> <a"));
+  EXPECT_THAT(with("exploded", 1), HasSubstr("<small> <a"));  // the film does not have it
+}
+
+TEST_F(Page, AMomentThatWasNotFilmedIsNoLink) {
+  json film = a_film();
+  film["clip"]["drawn_frames"] = 10;
+  put("a", film);
+  EXPECT_THAT(made(), Not(HasSubstr("at t = 10")));
+}
+
 TEST_F(Page, AnUnmetClaimIsShownAsOne) {
   json film = a_film();
   film["expectations"][0]["met"] = false;
   put("a", film);
-  EXPECT_THAT(made(), HasSubstr("0 of 1 measured claims hold"));
+  EXPECT_THAT(made(), HasSubstr("0 of 1 claims hold, measured"));
   EXPECT_THAT(made(), HasSubstr("Does not hold:"));
 }
 
 TEST_F(Page, TwoBoundsUnderTheSameWordsAreOneClaim) {
   json film = a_film();
-  film["expectations"].push_back(
-      {{"says", "it turns over"}, {"text", "flips at most 2: found 1"}, {"met", true}, {"found", 1}, {"frame", 19}});
+  film["expectations"].push_back({{"says", "it turns over"},
+                                  {"quantity", "flips"},
+                                  {"text", "flips at most 2: found 1"},
+                                  {"met", true},
+                                  {"found", 1},
+                                  {"frame", 19}});
   put("a", film);
-  EXPECT_THAT(made(), HasSubstr("1 of 1 measured claims hold"));
-  EXPECT_THAT(made(), HasSubstr("flips at most 2: found 1"));
+  EXPECT_THAT(made(), HasSubstr("1 of 1 claims hold, measured"));
   film["expectations"][1]["met"] = false;
   put("a", film);
-  EXPECT_THAT(made(), HasSubstr("0 of 1 measured claims hold"));
+  EXPECT_THAT(made(), HasSubstr("0 of 1 claims hold, measured"));
 }
 
 TEST_F(Page, AMissingProductIsNamed) {
@@ -185,7 +216,8 @@ TEST_F(Page, AFailureLeavesTheOldPage) {
 TEST_F(Page, TheSameFilmsGiveTheSameBytesAndNothingElseIsLeft) {
   const std::string once = made();
   EXPECT_EQ(made(), once);
-  EXPECT_EQ(std::distance(fs::directory_iterator(scratch / "site"), fs::directory_iterator()), 4);
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch / "site"), fs::directory_iterator()),
+            5);  // page, film, poster, data, captions
 }
 
 TEST_F(Page, TheReportIsLinkedWhenThereIsOne) {
@@ -209,9 +241,11 @@ TEST(PageTemplate, HasAPlaceForEveryScript) {
 }
 
 TEST(PageTemplate, NeedsNoNetwork) {
-  for (const char* name : {"template.html", "film.html", "missing.html", "figure.html", "page.css", "page.js"}) {
+  for (const char* name : {"template.html", "film.html", "missing.html", "figure.html", "page.css", "page.js",
+                           "euler.svg", "springs.svg", "blend.svg", "polhodes.svg"}) {
     std::string text = read_text(real_templates / name);
-    text = std::regex_replace(text, std::regex("xmlns='http://www.w3.org/2000/svg'"), "");
+    text = std::regex_replace(
+        text, std::regex("xmlns='http://www.w3.org/2000/svg'|<a href=\"https://|<q cite=\"https://"), "");
     EXPECT_FALSE(std::regex_search(text, std::regex("https?:|src=\"//|@import|fetch\\("))) << name;
   }
 }

@@ -31,7 +31,8 @@ TEST(Manual, NamesEveryIntegrator) {
 TEST(Manual, NamesEveryKey) {
   for (const char* script : {"title = 'T'\nnot_there = 1\n[[book]]\n", "title = 'T'\n[clip]\nnot_there = 1\n[[book]]\n",
                              "title = 'T'\n[view]\nnot_there = 1\n[[book]]\n", "title = 'T'\n[[book]]\nnot_there = 1\n",
-                             "title = 'T'\n[[book]]\n[[expect]]\nquantity = 'tilt'\nat_most = 1\nnot_there = 1\n"}) {
+                             "title = 'T'\n[[book]]\n[[expect]]\nquantity = 'tilt'\nat_most = 1\nnot_there = 1\n",
+                             "title = 'T'\n[[book]]\n[[cue]]\nsays = 'S'\nframes = [0, 1]\nnot_there = 1\n"}) {
     std::string message;
     try {
       (void)parse_scene(script, "s.toml");

@@ -33,9 +33,9 @@ TEST_P(Script, IsRefusedWithPlaceKeyFindingAndAllowance) {
 
 const BadScript bad_scripts[] = {
     {"unknown_key_in_the_scene", "title = \"T\"\ncapton = \"x\"\n[[book]]\n",
-     "s.toml:2:1: capton: unknown key; allowed here: book, caption, clip, expect, seed, title, view"},
+     "s.toml:2:1: capton: unknown key; allowed here: book, caption, clip, cue, expect, seed, title, view"},
     {"unknown_table", "title = \"T\"\n[camera]\nx = 1\n[[book]]\n",
-     "s.toml:2:2: camera: unknown key; allowed here: book, caption, clip, expect, seed, title, view"},
+     "s.toml:2:2: camera: unknown key; allowed here: book, caption, clip, cue, expect, seed, title, view"},
     {"unknown_key_in_clip", "title = \"T\"\n[clip]\n  frame = 3\n[[book]]\n",
      "s.toml:3:3: clip.frame: unknown key; allowed here: fps, frames, substeps, time_per_frame"},
     {"unknown_key_in_view", "title = \"T\"\n[view]\nto = 3\n[[book]]\n",
@@ -46,6 +46,13 @@ const BadScript bad_scripts[] = {
     {"unknown_key_in_expect", "title = \"T\"\n[[book]]\n[[expect]]\nquantity = \"tilt\"\nat_most = 1\nat_mots = 2\n",
      "s.toml:6:1: expect.0.at_mots: unknown key; allowed here: at_least, at_most, book, falls_to, frame, frames, "
      "quantity, rises_to, says"},
+    {"cue_without_words", "title = \"T\"\n[[book]]\n[[cue]]\nframes = [0, 9]\n",
+     "s.toml:3:1: cue.0.says: is missing; allowed: a text in quotes, not empty"},
+    {"cue_without_frames", "title = \"T\"\n[[book]]\n[[cue]]\nsays = \"S\"\n",
+     "s.toml:3:1: cue.0.frames: is missing; allowed: two frames [first, last]"},
+    {"cues_that_overlap",
+     "title = \"T\"\n[[book]]\n[[cue]]\nsays = \"S\"\nframes = [0, 9]\n[[cue]]\nsays = \"S\"\nframes = [9, 12]\n",
+     "s.toml:8:10: cue.1.frames: found [9, 12]; allowed: frames after 9, the last of the cue before"},
     {"unknown_key_in_inline_table", "title = \"T\"\nclip = { frames = 10, fsp = 3 }\n[[book]]\n",
      "s.toml:2:23: clip.fsp: unknown key; allowed here: fps, frames, substeps, time_per_frame"},
     {"unknown_dotted_key", "title = \"T\"\nclip.fsp = 3\n[[book]]\n",
@@ -298,7 +305,7 @@ const BadOverride bad_overrides[] = {
      "--set view.from=[0,1,0]: view.from: found [0, 1, 0]; allowed: a direction that does not point straight up or "
      "down: x or z not 0"},
     {"vew.from=[1,1,1]",
-     "--set vew.from=[1,1,1]: vew: unknown key; allowed here: book, caption, clip, expect, seed, title, view"},
+     "--set vew.from=[1,1,1]: vew: unknown key; allowed here: book, caption, clip, cue, expect, seed, title, view"},
     {"book.0.a'b=1", "--set book.0.a'b=1: Error while parsing key-value pair: expected '=', saw 'b'"},
     {"clip.substeps = 60",
      "--set clip.substeps = 60: clip.substeps : unknown key; allowed here: fps, frames, substeps, time_per_frame"},
