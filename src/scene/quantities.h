@@ -73,7 +73,7 @@ inline constexpr std::array quantities{
     Quantity{Q::largest_singular_value, "largest_singular_value", "", "how much the book has grown where it has grown most",
              "growth", "{:.3f}", "Size, where the book has grown most", "", 1.0, {0.95, 1.05}},
     Quantity{Q::orthogonality_defect, "orthogonality_defect", "", "largest entry of |F^T F - 1|, F the deformation",
-             "|FᵀF − 1|", "{:.1e}", "Deformation |FᵀF − 1|", "", 1.0, {0.0, 0.01}},
+             "|FᵗF − 1|", "{:.1e}", "Deformation |FᵀF − 1|", "", 1.0, {0.0, 0.01}},
     Quantity{Q::blend_defect, "blend_defect", "", "largest entry of |F - ((1 - s^2) 1 + s^2 R)|, s = |q|",
              "blend defect", "{:.1e}", "Distance from a blend with the unrotated book", "", 1.0, {0.0, 0.01}},
     Quantity{Q::pulsations, "pulsations", "", "swellings by 10 % or more so far, each with its shrinking",

@@ -1,4 +1,4 @@
-// Every figure: its first, middle and last frame as goldens, and the whole film end to end at a small size.
+// Every figure: an early, the middle and the last frame as goldens, and the whole film end to end at a small size.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ fs::path script(const std::string& figure) {
 
 class Figure : public testing::TestWithParam<std::string> {};
 
-TEST_P(Figure, FirstMiddleAndLastFrameAreTheGoldens) {
+TEST_P(Figure, EarlyMiddleAndLastFrameAreTheGoldens) {
   constexpr int width = 320;
   constexpr int height = 180;
   const Scene scene = load_scene(script(GetParam()));
@@ -48,10 +48,16 @@ TEST_P(Figure, FirstMiddleAndLastFrameAreTheGoldens) {
   // An exploded book is held: the middle is that of what moves.
   const int last = scene.clip.frames - 1;
   const int moving = trajectory.books[0].exploded_frame.value_or(last);
-  expect_golden(renderer.draw(storyboard.shot(0)), "film", GetParam() + "_first");
+  // Without labels: the fonts of two systems differ. Where those stand, storyboard_test.cpp sees to.
+  const auto expect = [&](int frame, const char* which) {
+    Shot shot = storyboard.shot(frame);
+    shot.labels.clear();
+    expect_golden(renderer.draw(shot), "film", GetParam() + which);
+  };
+  expect(moving / 8, "_early");
   if (last == 0) return;
-  expect_golden(renderer.draw(storyboard.shot(moving / 2)), "film", GetParam() + "_middle");
-  expect_golden(renderer.draw(storyboard.shot(last)), "film", GetParam() + "_last");
+  expect(moving / 2, "_middle");
+  expect(last, "_last");
 }
 
 TEST_P(Figure, FilmHasEveryFrameAndMeetsEveryExpectation) {

@@ -9,6 +9,7 @@
 
 #include "render/camera.h"
 #include "render/text.h"
+#include "scene/quantities.h"
 #include "scene/scene_file.h"
 #include "scene/simulate.h"
 
@@ -225,6 +226,13 @@ TEST(Storyboard, NamesOfBooksInOnePlaceStandBelowOneAnother) {
   const Shot shot = Storyboard(scene, trajectory, width, height).shot(0);
   EXPECT_GT(find_label(shot, scene.books[1].name)->position.y(), find_label(shot, scene.books[0].name)->position.y());
   for (const Size& size : sizes) expect_text_apart(scene, size);
+}
+
+TEST(Storyboard, NoFigureIsWrittenInBoxes) {
+  const TextPainter painter;
+  for (const Quantity& q : quantities) {
+    EXPECT_TRUE(painter.lacks(std::string(q.symbol) + std::string(q.format)).empty()) << q.symbol;
+  }
 }
 
 TEST(Storyboard, SaysWhatTheFontLacks) {

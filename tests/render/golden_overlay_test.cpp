@@ -9,22 +9,19 @@
 namespace bookspin {
 namespace {
 
-constexpr Color red{230, 97, 60, 255}, green{92, 200, 160, 255}, blue{90, 160, 240, 255}, pale{236, 239, 244, 255};
+constexpr Color red{230, 97, 60, 255}, green{92, 200, 160, 255}, blue{90, 160, 240, 255};
 
-TEST(GoldenOverlay, LabeledAxes) {
+TEST(GoldenOverlay, Axes) {
   Shot shot = shot_of(book_at(25, 40, 0));
   shot.camera.eye_W = {0, 0, 9.5};
   const Corners& corners_W = shot.books[0].corners_W;
   const std::array<Color, 3> colors{red, green, blue};
-  const std::array<const char*, 3> names{"x", "y", "z"};
   for (int d = 0; d < 3; ++d) {
     const Eigen::Vector3d axis_W = (corners_W.col(1 << d) - corners_W.col(0)).normalized();
-    const auto i = static_cast<std::size_t>(d);
-    shot.arrows.push_back({{0, 0, 0}, 2.0 * axis_W, colors[i], 0.03});
-    shot.labels.push_back({names[i], {0, 0.02}, 2.2 * axis_W, 0.07, colors[i], Align::center, Weight::semibold, false});
+    shot.arrows.push_back({{0, 0, 0}, 2.0 * axis_W, colors[static_cast<std::size_t>(d)], 0.03});
   }
   Renderer renderer(480, 270, assets());
-  expect_golden(renderer.draw(shot), "render", "axes_labelled");
+  expect_golden(renderer.draw(shot), "render", "axes");
 }
 
 TEST(GoldenOverlay, SpringsAndTrace) {
@@ -56,21 +53,6 @@ TEST(GoldenOverlay, ArrowsThroughTheBook) {
   shot.arrows.push_back({{1.4, 0, 0}, {1.5, 0.05, 0}, green, 0.05});  // shorter than a head: all head
   Renderer renderer(480, 270, assets());
   expect_golden(renderer.draw(shot), "render", "arrows_through_the_book");
-}
-
-TEST(GoldenOverlay, TextLegibleAtSmallSize) {
-  Shot shot = shot_of(book_at(20, 35, 5));
-  const auto add = [&](const char* text, double x, double y, double height, Align align, Weight weight, bool tabular) {
-    shot.labels.push_back({text, {x, y}, std::nullopt, height, pale, align, weight, tabular});
-  };
-  add("Quaternion, Euler, exact ghost", 0.03, 0.08, 0.05, Align::left, Weight::semibold, false);
-  add("t = 111.11 s", 0.97, 0.08, 0.04, Align::right, Weight::regular, true);
-  add("t = 888.88 s", 0.97, 0.14, 0.04, Align::right, Weight::regular, true);
-  add("E/E₀ = 1.0003   |L|/L₀ = 0.9998   Δθ = 3.2°   ω² α → ∞   10⁻¹⁵", 0.5, 0.95, 0.04, Align::center, Weight::regular,
-      true);
-  add("over the book", 0.5, 0.5, 0.045, Align::center, Weight::semibold, false);
-  Renderer renderer(640, 360, assets());
-  expect_golden(renderer.draw(shot), "render", "text_640x360");
 }
 
 }  // namespace
