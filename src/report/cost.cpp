@@ -14,52 +14,47 @@
 #include "video/mp4_writer.h"
 
 namespace bookspin {
+
 FrameCost frame_cost(const Scene& scene, const FrameCostOrder& order) {
-  FrameCost cost;
   const int frames = std::min(scene.clip.frames, order.most_frames);
   const int first = (scene.clip.frames - frames) / 2;
-  cost.frames = frames;
-
   Trajectory trajectory;
-  cost.dynamics = 1e-6 * least_ns(order.passes, [&] { trajectory = simulate(scene); }) / scene.clip.frames;
+  const double dynamics = least_ns(order.passes, [&] { trajectory = simulate(scene); });
 
   const Storyboard storyboard(scene, trajectory, order.width, order.height);
   Renderer renderer(order.width, order.height, order.assets);
-  cost.renderer = renderer.description();
+  const auto draw_all = [&] {
+    for (int n = 0; n < frames; ++n) renderer.draw(storyboard.shot(first + n));
+  };
   renderer.draw(storyboard.shot(first));  // compiles the shaders
-  cost.drawing = 1e-6 *
-                 least_ns(order.passes,
-                          [&] {
-                            for (int n = 0; n < frames; ++n) renderer.draw(storyboard.shot(first + n));
-                          }) /
-                 frames;
+  const double drawing = least_ns(order.passes, draw_all);
 
   const auto pixels = static_cast<std::size_t>(order.width) * static_cast<std::size_t>(order.height);
   std::vector<std::uint8_t> y(pixels), cb(pixels / 4), cr(pixels / 4);
   const I420Planes planes{y.data(), cb.data(), cr.data(), order.width, order.width / 2, order.width / 2};
-  cost.conversion = cost.encoding = 1e300;
+  double conversion = none;
+  double writing = none;  // which converts, too
   for (int pass = 0; pass < order.passes; ++pass) {
-    double conversion = 0.0;
-    double encoding = 0.0;
     const Part part(order.scratch / "frame_cost.mp4");  // never published
     Mp4Writer film(part, {order.width, order.height, scene.clip.fps, ""});
+    double converting = 0.0;
+    double all = 0.0;
     for (int n = 0; n < frames; ++n) {
       const Image& picture = renderer.draw(storyboard.shot(first + n));
-      const double start = cpu_ns();
-      convert_to_i420(picture, renderer.changed(), planes);
-      const double converted = cpu_ns();
-      film.write(picture, renderer.changed());
-      conversion += converted - start;
-      encoding += cpu_ns() - converted;
+      converting += least_ns(1, [&] { convert_to_i420(picture, renderer.changed(), planes); });
+      all += least_ns(1, [&] { film.write(picture, renderer.changed()); });
     }
-    const double start = cpu_ns();
-    film.finish();
-    encoding += cpu_ns() - start;
-    cost.conversion = std::min(cost.conversion, 1e-6 * conversion / frames);
-    cost.encoding = std::min(cost.encoding, 1e-6 * encoding / frames);
+    all += least_ns(1, [&] { film.finish(); });
+    conversion = std::min(conversion, converting);
+    writing = std::min(writing, all);
   }
-  cost.encoding -= cost.conversion;  // the writer converts, too
-  return cost;
+  const double ms = 1e-6 / frames;
+  return {.dynamics = 1e-6 * dynamics / scene.clip.frames,
+          .drawing = ms * drawing,
+          .conversion = ms * conversion,
+          .encoding = ms * (writing - conversion),
+          .frames = frames,
+          .renderer = renderer.description()};
 }
 
 namespace {
@@ -98,7 +93,7 @@ void frame_costs(Draft& draft) {
                {"conversion to Y'CbCr", cost.conversion},
                {"encoding (H.264)", cost.encoding},
                {"all", all}}};
-  for (std::vector<Cell>& row : table.rows) row.emplace_back(part(std::get<double>(row[1]), all));
+  for (std::vector<Cell>& row : table.rows) row.emplace_back(part(row[1], all));
   draft.keep("frame_cost", table);
 
   Table accuracy{{"dynamics of one frame", "error reached in case a", "CPU microseconds", "part of the frame"}, {}};

@@ -25,16 +25,6 @@ struct ModelError {
   double all;          // of the run from the rigid motion
 };
 
-// A scene script of videos/ with overrides, judged by expectations written into it, inline tables with one bound each:
-// exactly what `bookspin check SCRIPT --set ... --set 'expect=[...]'` prints as "found".
-struct Trial {
-  std::string script;
-  std::vector<std::string> overrides;
-  std::vector<std::string> expect;
-
-  [[nodiscard]] std::vector<std::string> all_overrides() const;
-};
-
 struct Draft {
   const ReportOrder& order;
   Effort effort;
@@ -50,8 +40,9 @@ struct Draft {
   // Keeps a table under this name: as CSV, in the JSON, and in the page's `tables`.
   void keep(const std::string& name, const Table& table);
   void plot(const std::string& name, const Plot& plot);  // as NAME.svg
-  // A motion that several trials share is simulated once.
-  [[nodiscard]] std::vector<Verdict> judge(const Trial& trial);
+  // What `bookspin check videos/SCRIPT.toml --set ... --set 'expect=[...]'` finds; trial: the script and what is set. A
+  // motion that several trials share is simulated once.
+  [[nodiscard]] std::vector<Verdict> judge(const std::vector<std::string>& trial);
 };
 
 // Each section computes, keeps its tables and plots, and says its numbers to the page; in this order.

@@ -85,32 +85,31 @@ struct Explosion {
   double substeps;
   bool damped;
   double predicted;
-  double measured = none;  // not tried, or not seen
+  double measured;  // none: not tried, or not seen
 };
 
 // Frames of 0.1, books that spin at 0.6 about z (Figure 7) and 0.7 about x (Figure 8).
 constexpr double frame = 0.1;
 
+Explosion explosion_at(double substeps, bool damped, bool quick) {
+  const double h = frame / substeps;
+  BookOptions options{.normalize_every = 0, .damping = damped ? 1.0 : 0.0};
+  options.omega_W = damped ? Eigen::Vector3d(0.0, 0.0, 0.6) : Eigen::Vector3d(0.7, 0.0, 0.0);
+  const double predicted = damped ? predicted_damped_explosion(options, h) : predicted_undamped_explosion(options, h);
+  const long most = 1000 + static_cast<long>(6.0 * predicted / h);
+  const long steps = quick && most >= 1'000'000 ? -1 : steps_to_explosion(options, h, most);
+  return {substeps, damped, predicted, steps < 0 ? none : static_cast<double>(steps) * frame / substeps};
+}
+
 std::vector<Explosion> explosions(bool quick) {
-  std::vector<Explosion> rows;
-  std::vector<std::future<long>> runs;  // at once, on all cores: nothing is timed here
+  std::vector<std::future<Explosion>> runs;  // at once, on all cores: nothing is timed here
   for (const bool damped : {true, false}) {
     for (const double substeps :
-         quick ? std::vector<double>{4, 16} : std::vector<double>{3, 6, 12, 25, 50, 100, 200, 400, 1000}) {
-      const double h = frame / substeps;
-      BookOptions options{.normalize_every = 0, .damping = damped ? 1.0 : 0.0};
-      options.omega_W = damped ? Eigen::Vector3d(0.0, 0.0, 0.6) : Eigen::Vector3d(0.7, 0.0, 0.0);
-      rows.push_back({substeps, damped,
-                      damped ? predicted_damped_explosion(options, h) : predicted_undamped_explosion(options, h)});
-      const long most = 1000 + static_cast<long>(6.0 * rows.back().predicted / h);
-      const bool tried = !quick || most < 1'000'000;
-      runs.push_back(std::async(std::launch::async, [=] { return tried ? steps_to_explosion(options, h, most) : -1; }));
-    }
+         quick ? std::vector<double>{4, 16} : std::vector<double>{3, 6, 12, 25, 50, 100, 200, 400, 1000})
+      runs.push_back(std::async(std::launch::async, explosion_at, substeps, damped, quick));
   }
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (const long steps = runs[i].get(); steps > 0)
-      rows[i].measured = static_cast<double>(steps) * frame / rows[i].substeps;
-  }
+  std::vector<Explosion> rows;
+  for (auto& run : runs) rows.push_back(run.get());
   return rows;
 }
 

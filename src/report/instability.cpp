@@ -12,9 +12,13 @@
 namespace bookspin {
 namespace {
 
-constexpr double spin = 0.11482;
-constexpr double h = 0.1 / 6.0;  // of the paper's program
+constexpr double spin = 0.11482;  // of the paper's book, about x
+constexpr double h = 0.1 / 6.0;   // of the paper's program
 constexpr int steps_a_sample = 6;
+
+BookOptions book(const Solver& solver, double kick) {
+  return options_for(solver, kicked(spin * body_of(BookOptions()).I_B.x(), kick));
+}
 
 // All rigid solvers, the paper's springs, and undamped springs by everything better.
 std::vector<Solver> contenders() {
@@ -30,29 +34,7 @@ std::string title_of(const Solver& solver) {
   return (solver.method == Method::springs && !solver.as_in_the_paper ? "springs, " : "") + name_of(solver);
 }
 
-// The kick lies along the growing direction's plane: both small components of omega, in the proportion of case a.
-BookOptions kicked(const Solver& solver, double kick) {
-  BookOptions options = options_for(solver, BookOptions());
-  const Eigen::Vector3d I_B = body_of(options).I_B;
-  options.omega_W = spin * I_B.x() * Eigen::Vector3d(1.0, kick, 0.5 * kick).cwiseQuotient(I_B);
-  return options;
-}
-
-// The angular momentum in the body frame; the free book knows it with the digits of a small kick.
-template <class Book>
-Eigen::Vector3d L_B(const Book& book, const Corners& corners_B) {
-  if constexpr (requires { book.L_B(); }) {
-    return book.L_B();
-  } else if constexpr (requires { book.R_WB(); }) {
-    return book.R_WB().transpose() * book.angular_momentum_W();
-  } else if constexpr (requires { book.q_WB(); }) {
-    return book.q_WB().conjugate() * book.angular_momentum_W();
-  } else {
-    return best_fit_orientation(book.corners_W(), corners_B).conjugate() * book.angular_momentum_W();
-  }
-}
-
-// Calls look(t, L_B) each 0.1 until it says false or the time is over.
+// Calls look(t, L_B) each 0.1 until it says false or the time is over. L_B: in the axes of the corners, whatever the book.
 template <class Look>
 void follow(const Solver& solver, const BookOptions& options, double T, Look&& look) {
   const Corners corners_B = body_of(options).corners_B;
@@ -63,7 +45,8 @@ void follow(const Solver& solver, const BookOptions& options, double T, Look&& l
         for (long n = 0; n <= samples; ++n) {
           const double t = static_cast<double>(n) * steps_a_sample * h;
           if constexpr (requires { book.move_to(t); }) book.move_to(t);
-          if (!look(t, L_B(book, corners_B))) return;
+          if (!look(t, best_fit_orientation(book.corners_W(), corners_B).conjugate() * book.angular_momentum_W()))
+            return;
           if constexpr (requires { book.step(h); }) {
             for (int i = 0; i < steps_a_sample; ++i) book.step(h);
           }
@@ -80,7 +63,7 @@ constexpr double lowest_tilt(double kick) {
 // Slope of ln(tilt) over t, by least squares.
 double growth_rate(const Solver& solver, double kick) {
   std::vector<double> times, logs;
-  follow(solver, kicked(solver, kick), 1000.0, [&](double t, const Eigen::Vector3d& L) {
+  follow(solver, book(solver, kick), 1000.0, [&](double t, const Eigen::Vector3d& L) {
     const double tilt = std::atan2(L.tail<2>().norm(), L.x());
     if (tilt > highest_tilt || !(tilt >= 0.0)) return false;
     if (tilt > lowest_tilt(kick)) {
@@ -110,7 +93,7 @@ double flip_time(const Solver& solver, const BookOptions& options, double most) 
 }
 
 double theory(double kick) {
-  return exact_motion(kicked(exact_solver, kick)).first_flip();
+  return exact_motion(book(exact_solver, kick)).first_flip();
 }
 
 struct Range {
@@ -169,7 +152,7 @@ void flip_times(Draft& draft) {
     std::array<std::vector<std::string>, 2> never;
     for (std::size_t i = 0; i < all.size(); ++i) {
       const bool springs = all[i].method == Method::springs;
-      const double t = flip_time(all[i], kicked(all[i], kick), springs ? most_springs : most);
+      const double t = flip_time(all[i], book(all[i], kick), springs ? most_springs : most);
       table.rows.back().push_back(number_or("never", t));
       if (t != none) {
         flips[springs].add(t);
@@ -198,7 +181,7 @@ void flip_times(Draft& draft) {
           {"rounding", theory(1e-16)}};
   if (flips[true].least != none) page["springs"] = {{"from", flips[true].least}, {"to", flips[true].largest}};
   if (forgotten) {
-    BookOptions options = kicked({Method::matrix}, *forgotten);
+    BookOptions options = book({Method::matrix}, *forgotten);
     options.normalize_every = 0;
     const double t = flip_time({Method::matrix}, options, most);
     page["forgotten"] = {{"kick", *forgotten}, {"flips", t != none}, {"time", t}};

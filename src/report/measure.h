@@ -35,6 +35,12 @@ struct Course {
   [[nodiscard]] double interval() const { return T / samples; }
 };
 
+// A book about its middle axis, kicked: L_B = L (1, kick, kick / 2).
+inline BookOptions kicked(double L, double kick, BookOptions options = {}) {
+  options.omega_W = (L * Eigen::Vector3d(1.0, kick, 0.5 * kick)).cwiseQuotient(body_of(options).I_B);
+  return options;
+}
+
 inline double cpu_ns() {  // of the process so far
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);

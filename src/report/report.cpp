@@ -1,10 +1,11 @@
 #include "report/report.h"
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <fstream>
 #include <list>
+#include <span>
 #include <thread>
 
 #include "files/files.h"
@@ -78,17 +79,11 @@ void Draft::plot(const std::string& name, const Plot& plot) {
   files[name + ".svg"] = svg_of(name + ".svg", plot);
 }
 
-std::vector<std::string> Trial::all_overrides() const {
-  std::vector<std::string> all = overrides;
-  all.push_back(fmt::format("expect=[{}]", fmt::join(expect, ", ")));
-  return all;
-}
-
-std::vector<Verdict> Draft::judge(const Trial& trial) {
-  const Scene scene = load_scene(order.project / "videos" / (trial.script + ".toml"), trial.all_overrides());
-  std::vector<std::string> key = trial.overrides;
-  key.push_back(trial.script);
-  const auto [place, is_new] = motions.try_emplace(key);
+std::vector<Verdict> Draft::judge(const std::vector<std::string>& trial) {
+  const Scene scene = load_scene(order.project / "videos" / (trial.front() + ".toml"), std::span(trial).subspan(1));
+  std::vector<std::string> motion = trial;
+  std::erase_if(motion, [](const std::string& text) { return text.starts_with("expect="); });
+  const auto [place, is_new] = motions.try_emplace(motion);
   if (is_new) place->second = simulate(scene);
   return bookspin::judge(scene, place->second);
 }

@@ -10,21 +10,8 @@ namespace {
 
 constexpr std::array odeint_names{"rk4", "dopri5", "fehlberg78", "bulirsch_stoer"};
 
-struct Asked {
-  const char* text;
-  double error;
-};
-constexpr std::array<Asked, 4> asked{{{"1e-2", 1e-2}, {"1e-4", 1e-4}, {"1e-6", 1e-6}, {"1e-9", 1e-9}}};
-
-// The finished run that `better(run, best)` prefers to all before it.
-template <class Better>
-Run choose(const Ladder& ladder, Better&& better) {
-  Run best = no_run;
-  for (const Run& run : ladder.runs) {
-    if (run.outcome == Outcome::finished && (best.error == none || better(run, best))) best = run;
-  }
-  return best;
-}
+constexpr std::array asked{std::pair{"1e-2", 1e-2}, std::pair{"1e-4", 1e-4}, std::pair{"1e-6", 1e-6},
+                           std::pair{"1e-9", 1e-9}};
 
 // The ladder whose run, `of(ladder)`, has the least `number`.
 template <class Of>
@@ -37,6 +24,16 @@ Best least(const Ladders& ladders, bool stepping, double Run::*number, Of&& of) 
   return best;
 }
 
+std::vector<Solver> stepped_by(std::initializer_list<Method> methods) {
+  std::vector<Solver> solvers;
+  for (const IntegratorInfo& row : integrators) {
+    for (const Method method : methods) {
+      if (takes(method, false, row)) solvers.push_back({method, row.id});
+    }
+  }
+  return solvers;
+}
+
 }  // namespace
 
 std::string name_of(const Solver& solver) {
@@ -44,27 +41,18 @@ std::string name_of(const Solver& solver) {
   if (solver.as_in_the_paper) return "the paper's springs";
   if (solver.odeint) return std::string("odeint ") + odeint_names.at(static_cast<std::size_t>(*solver.odeint));
   const IntegratorInfo& row = info_of(solver.integrator);
-  const std::string name(row.name);
-  if (solver.method == Method::springs || row.rigid_step != nullptr) return name;
-  return name + (solver.method == Method::matrix ? ", matrix" : ", quaternion");
+  const bool either = row.matrix && row.quaternion && solver.method != Method::springs;
+  return std::string(row.name) + (!either ? "" : solver.method == Method::matrix ? ", matrix" : ", quaternion");
 }
 
 std::vector<Solver> rigid_solvers() {
-  std::vector<Solver> solvers{exact_solver};
-  for (const IntegratorInfo& row : integrators) {
-    for (const Method method : {Method::matrix, Method::quaternion}) {
-      if (takes(method, false, row)) solvers.push_back({method, row.id});
-    }
-  }
+  std::vector<Solver> solvers = stepped_by({Method::matrix, Method::quaternion});
+  solvers.insert(solvers.begin(), exact_solver);
   return solvers;
 }
 
 std::vector<Solver> spring_solvers() {
-  std::vector<Solver> solvers;
-  for (const IntegratorInfo& row : integrators) {
-    if (takes(Method::springs, false, row)) solvers.push_back({Method::springs, row.id});
-  }
-  return solvers;
+  return stepped_by({Method::springs});
 }
 
 std::vector<Solver> odeint_solvers(Method method) {
@@ -94,31 +82,6 @@ BookOptions options_for(const Solver& solver, BookOptions options) {
     options.damping = 0.0;
   }
   return options;
-}
-
-Run Ladder::coarsest() const {
-  return choose(*this, [](const Run&, const Run&) { return false; });
-}
-
-Run Ladder::finest() const {
-  return choose(*this, [](const Run&, const Run&) { return true; });
-}
-
-Run Ladder::nearest() const {
-  return choose(*this, [](const Run& run, const Run& best) { return run.error < best.error; });
-}
-
-Run Ladder::cheapest(double error) const {
-  Run best = no_run;
-  for (const Run& run : runs) {
-    if (run.error <= error && run.ns_per_time < best.ns_per_time) best = run;
-  }
-  return best;
-}
-
-Run Ladder::closest(double setting) const {
-  const auto distance = [setting](const Run& run) { return std::abs(std::log(run.setting / setting)); };
-  return choose(*this, [&](const Run& run, const Run& best) { return distance(run) < distance(best); });
 }
 
 const Ladder& ladder(const Ladders& ladders, const Solver& solver) {
@@ -169,7 +132,7 @@ Table runs_table(const Runs& runs) {
     for (const Ladder& ladder : ladders) {
       for (const Run& run : ladder.runs)
         table.rows.push_back({problems.at(static_cast<std::size_t>(problem)), name_of(ladder.solver), run.setting,
-                              run.error, run.ns_per_time, static_cast<double>(run.evaluations),
+                              run.error, run.ns_per_time, run.evaluations,
                               outcomes.at(static_cast<std::size_t>(run.outcome))});
     }
   }

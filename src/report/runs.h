@@ -5,7 +5,8 @@
 // dash on the page, an empty cell, a point left out.
 #pragma once
 
-#include <array>
+#include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -58,11 +59,27 @@ struct Ladder {
   Solver solver;
   std::vector<Run> runs;
 
-  [[nodiscard]] Run coarsest() const;  // of those that finished, like all of these
-  [[nodiscard]] Run finest() const;
-  [[nodiscard]] Run nearest() const;                // the least error
-  [[nodiscard]] Run cheapest(double error) const;   // that is no farther off
-  [[nodiscard]] Run closest(double setting) const;  // by ratio
+  // The finished run of which key(run) is least.
+  template <class Key>
+  [[nodiscard]] Run least(Key&& key) const {
+    const Run* best = &no_run;
+    for (const Run& run : runs) {
+      if (run.error < none && (best == &no_run || std::invoke(key, run) < std::invoke(key, *best))) best = &run;
+    }
+    return *best;
+  }
+  [[nodiscard]] Run nearest() const { return least(&Run::error); }
+  [[nodiscard]] Run finest() const { return least(&Run::setting); }
+  [[nodiscard]] Run coarsest() const {
+    return least([](const Run& run) { return -run.setting; });
+  }
+  [[nodiscard]] Run closest(double setting) const {  // by ratio
+    return least([setting](const Run& run) { return std::abs(std::log(run.setting / setting)); });
+  }
+  [[nodiscard]] Run cheapest(double error) const {  // that is no farther off
+    const Run run = least([error](const Run& r) { return r.error <= error ? r.ns_per_time : none; });
+    return run.error <= error ? run : no_run;
+  }
 };
 using Ladders = std::vector<Ladder>;  // of one problem
 using Runs = std::map<Problem, Ladders>;

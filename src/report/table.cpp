@@ -6,18 +6,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace bookspin {
 namespace {
 
 std::string csv_cell(const Cell& cell) {
-  if (const auto* value = std::get_if<double>(&cell)) return std::isfinite(*value) ? fmt::format("{}", *value) : "";
-  const std::string& text = std::get<std::string>(cell);
+  if (cell.is_number()) return std::isfinite(cell.get<double>()) ? fmt::format("{}", cell.get<double>()) : "";
+  const std::string text = cell;
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted(1, '"');
   for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
-  quoted += '"';
-  return quoted;
+  return quoted + '"';
 }
 
 }  // namespace
@@ -29,11 +29,9 @@ Cell number_or(const char* word, double value) {
 std::string as_csv(const Table& table) {
   std::string out = fmt::format("{}\n", fmt::join(table.columns, ","));
   for (const auto& row : table.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (i > 0) out += ',';
-      out += csv_cell(row[i]);
-    }
-    out += '\n';
+    std::vector<std::string> cells;
+    std::transform(row.begin(), row.end(), std::back_inserter(cells), csv_cell);
+    out += fmt::format("{}\n", fmt::join(cells, ","));
   }
   return out;
 }
@@ -41,35 +39,28 @@ std::string as_csv(const Table& table) {
 nlohmann::ordered_json as_json(const Table& table) {
   auto rows = nlohmann::ordered_json::array();
   for (const auto& row : table.rows) {
-    nlohmann::ordered_json object;
-    for (std::size_t i = 0; i < row.size(); ++i)
-      std::visit([&](const auto& value) { object[table.columns[i]] = value; }, row[i]);
-    rows.push_back(std::move(object));
+    auto& object = rows.emplace_back();
+    for (std::size_t i = 0; i < row.size(); ++i) object[table.columns[i]] = row[i];
   }
   return rows;
 }
 
 nlohmann::json for_page(const Table& table) {
-  nlohmann::json columns = nlohmann::json::array();
-  nlohmann::json rows = nlohmann::json::array();
+  nlohmann::json page{{"columns", nlohmann::json::array()}, {"rows", nlohmann::json::array()}};
   for (const std::string& column : table.columns) {
-    const std::size_t i = columns.size();
-    const bool number = i > 0 && std::any_of(table.rows.begin(), table.rows.end(), [i](const auto& row) {
-                          return std::holds_alternative<double>(row[i]) || std::get<std::string>(row[i]) == "never";
-                        });
-    columns.push_back({{"text", column}, {"number", number}});
+    const std::size_t i = page["columns"].size();
+    const bool number = i > 0 && std::any_of(table.rows.begin(), table.rows.end(),
+                                             [i](const auto& row) { return row[i].is_number() || row[i] == "never"; });
+    page["columns"].push_back({{"text", column}, {"number", number}});
   }
   for (const auto& row : table.rows) {
-    nlohmann::json cells = nlohmann::json::array();
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const auto* value = std::get_if<double>(&row[i]);
-      cells.push_back({{"text", value == nullptr ? std::get<std::string>(row[i]) : readable(*value)},
-                       {"number", columns[i]["number"]},
+    auto& cells = page["rows"].emplace_back()["cells"];
+    for (std::size_t i = 0; i < row.size(); ++i)
+      cells.push_back({{"text", row[i].is_number() ? Cell(readable(row[i])) : row[i]},
+                       {"number", page["columns"][i]["number"]},
                        {"head", i == 0}});
-    }
-    rows.push_back({{"cells", std::move(cells)}});
   }
-  return {{"columns", std::move(columns)}, {"rows", std::move(rows)}};
+  return page;
 }
 
 std::string readable(double value) {

@@ -6,12 +6,11 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace bookspin {
 
-using Cell = std::variant<std::string, double>;
+using Cell = nlohmann::json;                                   // a text or a number
 [[nodiscard]] Cell number_or(const char* word, double value);  // the word for a number that is not finite
 
 struct Table {

@@ -110,10 +110,10 @@ void error_over_time(Draft& draft, const RigidCase& c) {
       Series line{name_of(solver), {}, pen_of(solver), Mark::line};
       Stepped<std::decay_t<decltype(book)>> runner{book, interval / steps, steps, 1};
       for (std::vector<Cell>& row : table.rows) {
-        const double t = std::get<double>(row[0]);
+        const double t = row[0].get<double>();
         (void)runner.to(0);
-        row.emplace_back(std::max(1e-16, angle_from(runner.state, motion.at(t).q_WB)));
-        line.points.emplace_back(t, std::get<double>(row.back()));
+        line.points.emplace_back(t, std::max(1e-16, angle_from(runner.state, motion.at(t).q_WB)));
+        row.emplace_back(line.points.back().second);
       }
       table.columns.push_back(line.title);
       const auto error_at = [&](double t) { return line.points[static_cast<std::size_t>(t / interval)].second; };

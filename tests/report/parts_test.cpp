@@ -135,9 +135,9 @@ TEST(Queries, SeeFinishedRunsAlone) {
   EXPECT_EQ(nearest_stepper(ladders).run.setting, 0.2);
   const Table table = cheapest_table(ladders);
   ASSERT_EQ(table.rows.size(), 2U);
-  EXPECT_EQ(std::get<double>(table.rows[0][1]), 20.0);
-  EXPECT_EQ(std::get<std::string>(table.rows[0][3]), "never");
-  EXPECT_EQ(std::get<std::string>(table.rows[1][5]), "none finished");
+  EXPECT_EQ(table.rows[0][1], 20.0);
+  EXPECT_EQ(table.rows[0][3], "never");
+  EXPECT_EQ(table.rows[1][5], "none finished");
 }
 
 TEST(Queries, TheCheapestOfAllWins) {
