@@ -14,8 +14,7 @@
 #include <thread>
 
 #include "film/shoot.h"
-#include "report/cost.h"
-#include "report/measure.h"
+#include "report/draft.h"
 #include "scene/scene_file.h"
 
 namespace {

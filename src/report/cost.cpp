@@ -1,5 +1,3 @@
-#include "report/cost.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>

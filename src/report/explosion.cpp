@@ -5,7 +5,6 @@
 
 #include "dynamics/shape.h"
 #include "report/draft.h"
-#include "report/stability.h"
 #include "scene/scene_file.h"
 #include "scene/simulate.h"
 

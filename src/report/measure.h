@@ -47,6 +47,16 @@ inline double cpu_ns() {  // of the process so far
   return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
 }
 
+// Where between `low` and `high` holds(x) ceases to be true.
+template <class Holds>
+[[nodiscard]] double bisect(double low, double high, int halvings, Holds&& holds) {
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (holds(middle) ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
 // CPU nanoseconds of work(), the least of `passes`.
 template <class Work>
 double least_ns(int passes, Work&& work) {

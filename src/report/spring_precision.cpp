@@ -11,7 +11,6 @@
 #include "files/files.h"
 #include "report/draft.h"
 #include "report/odeint.h"
-#include "report/stability.h"
 
 // Speed against error of the springs: the farthest that a corner is from where it should be, in half diagonals of the
 // book, against the springs' own motion (data/reference/ref_springs.txt) and against the rigid body's.

@@ -1,5 +1,3 @@
-#include "report/work_precision.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -253,24 +251,12 @@ void work_precision(Draft& draft) {
   draft.page["rk4"] = {{"own", ns_a_step({Method::quaternion, Integrator::rk4})},
                        {"odeint", ns_a_step({Method::quaternion, Integrator::explicit_euler, Odeint::rk4})}};
 
-  // Two methods of the same order on the symmetric body, at the largest step that all of them bear.
-  Ladders second_order;
-  for (const Ladder& l : draft.runs[Problem::case_c]) {
-    if (!l.solver.odeint && info_of(l.solver.integrator).order == 2) second_order.push_back(l);
-  }
-  double h = none;
-  for (const Ladder& l : second_order) h = std::min(h, l.coarsest().setting);
-  std::sort(second_order.begin(), second_order.end(),
-            [h](const Ladder& a, const Ladder& b) { return a.closest(h).error < b.closest(h).error; });
-  if (second_order.size() > 1) {
-    const Ladder& near = second_order.front();
-    const Ladder& far = second_order.back();
-    draft.page["symmetric"] = {{"h", h},
-                               {"near", name_of(near.solver)},
-                               {"near_error", near.closest(h).error},
-                               {"far", name_of(far.solver)},
-                               {"far_error", far.closest(h).error}};
-  }
+  // Two methods of order 4 on the symmetric body, at the same step.
+  const Ladders& case_c = draft.runs[Problem::case_c];
+  const Run splitting = ladder(case_c, {Method::quaternion, Integrator::splitting4}).coarsest();
+  const Run rk4 = ladder(case_c, {Method::quaternion, Integrator::rk4}).closest(splitting.setting);
+  if (rk4.setting == splitting.setting)
+    draft.page["symmetric"] = {{"h", rk4.setting}, {"rk4", rk4.error}, {"splitting4", splitting.error}};
 }
 
 }  // namespace bookspin

@@ -11,11 +11,8 @@
 #include <tuple>
 
 #include "dynamics/book.h"
-#include "report/measure.h"
-#include "report/plots.h"
-#include "report/stability.h"
+#include "report/draft.h"
 #include "report/table.h"
-#include "report/work_precision.h"
 #include "scratch.h"
 #include "tolerance.h"
 
