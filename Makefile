@@ -1,7 +1,7 @@
 # The front door. Each target works alone on a fresh Debian: it installs what is missing, builds, and runs.
 
 .NOTPARALLEL:  # two builds in one folder break it; each build uses every core by itself
-.PHONY: figures test page report bench golden package clean
+.PHONY: figures test page report bench golden package matrix clean
 
 # Every film, then the course page around them, in videos/site/.
 figures: program
@@ -36,6 +36,10 @@ package: configured
 	cmake --build build --target bookspin bookspin_c bookspin_single_header
 	@printf 'dpkg-dev\nfile\n' >build/package-tools && ./install-packages build/package-tools
 	cd build && cpack
+
+# Both commands in fresh roots of other releases of Debian and Ubuntu, for maintainers: docs/SYSTEMS.md.
+matrix:
+	tools/matrix $(SUITES)
 
 clean:
 	rm -rf build build-debug build-sanitize videos/site

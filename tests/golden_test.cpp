@@ -9,6 +9,7 @@
 
 #include "image/compare.h"
 #include "image/png.h"
+#include "tolerance.h"
 
 namespace bookspin {
 namespace {
@@ -43,9 +44,9 @@ std::string current_test() {
   return info == nullptr ? "" : std::string(info->test_suite_name()) + "." + info->name();
 }
 
-bool matches(const ImageDelta& delta, const GoldenTolerance& tolerance) {
-  return delta.same_size && delta.max_delta <= tolerance.max_delta && delta.mean_delta <= tolerance.mean_delta &&
-         delta.share_above <= tolerance.share;
+bool matches(const ImageDelta& delta, const GoldenTolerance& allowed) {
+  return delta.same_size && delta.max_delta <= tolerance(allowed.max_delta) &&
+         delta.mean_delta <= tolerance(allowed.mean_delta) && delta.share_above <= tolerance(allowed.share);
 }
 
 class GoldenFolderCheck : public testing::Environment {
