@@ -2,6 +2,7 @@
 // call; 128 + N: stopped by signal N.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
