@@ -236,7 +236,7 @@ void work_precision(Draft& draft) {
   const Ladders& case_a = draft.runs[Problem::case_a];
   draft.page["euler"] = nlohmann::json::array();
   for (const Method method : {Method::matrix, Method::quaternion}) {
-    const Ladder& euler = ladder(case_a, {method});
+    const Ladder euler = ladder(case_a, {method});
     const Run finest = euler.finest();
     draft.page["euler"].push_back({{"name", name_of(euler.solver)},
                                    {"h", finest.setting},
