@@ -75,9 +75,11 @@ Json moment(const FilmRecord& film, int frame) {
           {"time", fmt::format("t = {:.{}f}", frame * film.time_per_frame, film.time_per_frame < 0.1 ? 1 : 0)}};
 }
 
-// Three digits, as a reader writes them: 0.953, 4 × 10⁻¹⁶.
+// Three digits, as a reader writes them: 0.953, 1234, 4 × 10⁻¹⁶.
 std::string readable(double value) {
-  if (value == 0.0 || std::abs(value) >= 1e-4) return fmt::format("{:.3g}", value);
+  const double size = std::abs(value);
+  if (size == 0.0 || size >= 1e-4)
+    return size >= 1e3 && size < 1e6 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
   static const char* const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   const std::string text = fmt::format("{:.0e}", value);  // 4e-16
   std::string out = text.substr(0, text.find('e')) + " × 10⁻";
@@ -106,7 +108,8 @@ Json claims_of(const FilmRecord& film) {
     Json found = moment(film, e.frame);
     found["value"] = measured(film, e);
     found["shown"] = e.frame >= film.first_frame && e.frame < film.first_frame + film.drawn_frames;
-    claims.back()["found"].push_back(found);
+    Json& all = claims.back()["found"];
+    if (std::find(all.begin(), all.end(), found) == all.end()) all.push_back(found);
   }
   return claims;
 }
@@ -157,6 +160,25 @@ Json film_context(const fs::path& site, const FilmRecord& film, const std::strin
   return context;
 }
 
+// The report's table of speed against error, if there is one.
+Json speed_in(const fs::path& report) {
+  Json speed;
+  if (!fs::exists(report)) return speed;
+  const Json json = Json::parse(read_file(report), nullptr, false);
+  if (!json.is_object() || !json.contains("cheapest_a")) return speed;
+  speed = {
+      {"rows", Json::array()}, {"processor", json.value("processor", Json())}, {"quick", json.value("quick", Json())}};
+  for (const Json& row : json["cheapest_a"]) {
+    Json cells = Json::array();
+    for (const char* key : {"ns at 1e-2", "ns at 1e-6", "ns at 1e-9", "best error"}) {
+      const Json cell = row.value(key, Json());
+      cells.push_back(cell.is_number() ? readable(cell.get<double>()) : "never");
+    }
+    speed["rows"].push_back({{"method", row.value("method", Json())}, {"cells", cells}});
+  }
+  return speed;
+}
+
 // Turns every {{film NAME: panels}} into {{{films.NAME}}} and notes the panels.
 std::string find_places(const std::string& text, std::map<std::string, std::string>& panels) {
   static const std::regex place(R"(\{\{film ([A-Za-z0-9_-]+)(?:: *([^}]*))?\}\})");
@@ -193,6 +215,7 @@ PageReceipt write_page(const PageOrder& order) {
                {"films", Json::object()},
                {"more", Json::array()}};
   context["report"] = fs::exists(order.site / "report" / "index.html");
+  context["speed"] = speed_in(order.site / "report" / "report.json");
   for (const auto& entry : fs::directory_iterator(order.templates)) {
     if (entry.path().extension() == ".svg") context["drawings"][entry.path().stem().string()] = read_file(entry.path());
   }

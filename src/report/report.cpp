@@ -47,7 +47,7 @@ nlohmann::ordered_json this_machine(const std::string& commit) {
 void publish_all(Draft& draft) {
   nlohmann::ordered_json data = this_machine(draft.order.commit);
   draft.page["machine"] = data;
-  draft.page["quick"] = draft.order.quick;
+  draft.page["quick"] = data["quick"] = draft.order.quick;
   draft.page["repeats"] = draft.effort.repeats;
   draft.page["most_evaluations"] = static_cast<double>(draft.effort.most_evaluations);
   data.update(draft.tables);

@@ -29,7 +29,8 @@ function expect(condition, message) {
 }
 
 // Serves the site as any web server does: with ranges, without which a browser cannot seek.
-const types = { ".html": "text/html; charset=utf-8", ".mp4": "video/mp4", ".png": "image/png", ".json": "application/json", ".vtt": "text/vtt" };
+const types = { ".html": "text/html; charset=utf-8", ".mp4": "video/mp4", ".png": "image/png", ".json": "application/json", ".svg": "image/svg+xml",
+  ".vtt": "text/vtt" };
 const server = createServer((request, response) => {
   const file = join(site, decodeURIComponent(new URL(request.url, "http://x").pathname));
   const type = types[extname(file)];
@@ -119,8 +120,11 @@ async function watch(page, id) {
   await until(page, id, "arrow keys seek the film", (s) => near(s.time, 0.2) && near(s.cursor, 0.2) && near(s.told, 0.2));
   await page.keyboard.press("Space");
   await until(page, id, "the film plays and its cursor follows", (s) => s.time > 0.35 && near(s.cursor, s.time));
-  await page.keyboard.press("Space");
-  await page.evaluate((name) => { document.getElementById(name).querySelector("video").currentTime = 0.9; }, id);
+  await page.evaluate((name) => {
+    const video = document.getElementById(name).querySelector("video");
+    video.pause();
+    video.currentTime = 0.9;
+  }, id);
   await until(page, id, "the cursor follows a seek in the film", (s) => near(s.time, 0.9) && near(s.cursor, 0.9));
 }
 
@@ -283,7 +287,8 @@ async function layout(address, width, look) {
   const page = await open(address, { viewport: { width, height: 900 }, ...look });
   const overflow = () => page.evaluate(() => {
     const wide = document.documentElement.scrollWidth - innerWidth;
-    const out = [...document.querySelectorAll("main *")].filter((e) => !e.closest("pre") && e.getBoundingClientRect().right > innerWidth + 1);
+    const scrolls = (e) => e && (/auto|scroll/.test(getComputedStyle(e).overflowX) || scrolls(e.parentElement.closest("main *")));
+    const out = [...document.querySelectorAll("main *")].filter((e) => e.getBoundingClientRect().right > innerWidth + 1 && !scrolls(e));
     return wide > 0 || out.length > 0 ? `${wide} pixels too wide: ${out.slice(0, 3).map((e) => e.outerHTML.slice(0, 80))}` : "";
   });
   expect((await overflow()) === "", await overflow());
@@ -300,6 +305,8 @@ const looks = { light: { colorScheme: "light" }, dark: { colorScheme: "dark" }, 
 for (const width of [360, 768, 1920]) {
   for (const [name, look] of Object.entries(looks)) {
     await check(`layout and accessibility at ${width} pixels, ${name}`, () => layout(origins["file://"], width, look));
+    const report = origins["file://"].replace("index.html", "report/index.html");
+    await check(`the report's too`, () => layout(report, width, look));
   }
 }
 

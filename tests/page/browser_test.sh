@@ -19,6 +19,7 @@ rm -rf site
 "$bookspin" render "$project/videos/fig01_axes.toml" -o site --size 192x108 >>render.log || exit 1
 "$bookspin" render "$project/videos/fig08_neither.toml" -o site --size 192x108 --set clip.frames=75 --set clip.time_per_frame=0.2 >>render.log
 rm -f site/fig01_axes.mp4
+"$bookspin" report --quick -o site/report >report.log || exit 1
 "$bookspin" page site || exit 1
 for name in "my film" "50% #2?"; do
   cp "$project/videos/fig09_matrix.toml" "$name.toml"

@@ -97,9 +97,7 @@ async function watch(id) {
   await until("arrow keys seek the film", near(0.2));
   await press(" ");
   await until("the film plays", `${film}.querySelector("video").currentTime > 0.35`);
-  await press(" ");
-  await until("and pauses", `${film}.querySelector("video").paused`);
-  await run(`void (${film}.querySelector("video").currentTime = 0.9)`);
+  await run(`((video) => { video.pause(); video.currentTime = 0.9; })(${film}.querySelector("video"))`);
   await until("the chart follows the film", near(0.9));
 }
 

@@ -174,7 +174,9 @@ TEST_F(Page, TwoBoundsUnderTheSameWordsAreOneClaim) {
                                   {"found", 1},
                                   {"frame", 19}});
   put("a", film);
-  EXPECT_THAT(made(), HasSubstr("1 of 1 claims hold, measured"));
+  const std::string html = made();
+  EXPECT_THAT(html, HasSubstr("1 of 1 claims hold, measured"));
+  EXPECT_EQ(html.find("Flips so far 1"), html.rfind("Flips so far 1"));  // found once
   film["expectations"][1]["met"] = false;
   put("a", film);
   EXPECT_THAT(made(), HasSubstr("0 of 1 claims hold, measured"));
@@ -227,6 +229,22 @@ TEST_F(Page, TheReportIsLinkedWhenThereIsOne) {
   fs::create_directories(scratch / "site/report");
   write_text(scratch / "site/report/index.html", "");
   EXPECT_THAT(made(), HasSubstr("<a href=\"report/index.html\">"));
+}
+
+TEST_F(Page, TheReportsSpeedIsShown) {
+  write_text(scratch / "templates/template.html",
+             "{{#speed}}{{processor}}{{#quick}}, quick{{/quick}}:{{#rows}}{{method}}{{#cells}} "
+             "{{.}}{{/cells}};{{/rows}}{{/speed}}");
+  EXPECT_EQ(made(), "");
+  fs::create_directories(scratch / "site/report");
+  const fs::path report = scratch / "site/report/report.json";
+  write_text(report, R"({"processor": "P", "quick": true, "cheapest_a": [{"method": "rk4", "ns at 1e-2": 22.61,
+                     "ns at 1e-6": 1175.8, "ns at 1e-9": "never", "best error": 1.4e-9}, {"method": "exact"}]})");
+  EXPECT_EQ(made(), "P, quick:rk4 22.6 1176 never 1 × 10⁻⁹;exact never never never never;");
+  for (const char* other : {"", "[]", "{\"cheapest\": 1}"}) {
+    write_text(report, other);
+    EXPECT_EQ(made(), "") << other;
+  }
 }
 
 // The page that is shipped: every script of the project has its place, and nothing is loaded from elsewhere.
