@@ -28,6 +28,7 @@
 #include "page/page.h"
 #include "report/report.h"
 #include "scene/judge.h"
+#include "scene/reference.h"
 #include "scene/scene_file.h"
 #include "scene/simulate.h"
 #include "scene/trajectory_csv.h"
@@ -278,6 +279,11 @@ int make_page(const Options& options) {
   const PageReceipt page =
       write_page({folder_or(options.folder, "site"), find_assets(options.assets) / "videos" / "page"});
   print(fmt::format("{}: {}, {}\n", page.file.string(), counted(page.films, "film"), readable_size(page.bytes)));
+  return 0;
+}
+
+int print_schema(const Options&) {
+  print(script_schema());
   return 0;
 }
 

@@ -10,13 +10,14 @@
 #include <cstdio>
 #include <exception>
 #include <new>
-#include <numeric>
 
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/standard_output.h"
 #include "cli/version.h"
 #include "cli/watch.h"
+#include "scene/did_you_mean.h"
+#include "scene/reference.h"
 
 namespace bookspin {
 namespace {
@@ -78,34 +79,17 @@ const std::vector<Command> commands{
      {pictures_argument, bounds_options, delta_output},
      compare_pictures,
      "Example:\n  bookspin compare before.png after.png --max-delta 16 --mean-delta 0.4 --delta differs.png"},
+    {"help",
+     "Explain the program, one of its commands, or `scene`: every key that a script may hold",
+     {topic_argument},
+     nullptr,
+     "Example:\n  bookspin help scene"},
+    {"schema",
+     "Print the JSON schema of scene scripts, by which an editor completes and checks them",
+     {},
+     print_schema,
+     "Example:\n  bookspin schema >bookspin.schema.json"},
 };
-
-// The fewest letters to insert, delete or replace between two words. Source: Levenshtein.
-std::size_t edits(const std::string& from, const std::string& to) {
-  std::vector<std::size_t> row(to.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < to.size(); ++j) {
-      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row[to.size()];
-}
-
-// "unknown command 'rendr'; did you mean render?", or all that there are.
-std::string unknown_word(const std::string& what, const std::string& word, const std::vector<std::string>& known) {
-  const auto nearest = std::min_element(known.begin(), known.end(), [&](const std::string& a, const std::string& b) {
-    return edits(word, a) < edits(word, b);
-  });
-  if (edits(word, *nearest) <= word.size() / 3) {
-    return fmt::format("unknown {} '{}'; did you mean {}?", what, word, *nearest);
-  }
-  return fmt::format("unknown {} '{}'; allowed: {}", what, word, fmt::join(known, ", "));
-}
 
 // What is wrong with a call. A word that nobody knows is the cause of whatever else is missing.
 std::string what_is_wrong(const CLI::App& at, bool is_command, const CLI::ParseError& error) {
@@ -117,11 +101,26 @@ std::string what_is_wrong(const CLI::App& at, bool is_command, const CLI::ParseE
     for (const CLI::Option* option : at.get_options()) {
       for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
     }
-    return unknown_word("option", word, known);
+    return fmt::format("unknown option '{}'; {}", word, did_you_mean(word, known));
   }
   if (is_command) return fmt::format("found '{}', which is one word too many", word);
   for (const Command& command : commands) known.emplace_back(command.name);
-  return unknown_word("command", word, known);
+  return fmt::format("unknown command '{}'; {}", word, did_you_mean(word, known));
+}
+
+int explain(const CLI::App& app, const std::string& topic) {
+  std::vector<std::string> known{"scene"};
+  for (const Command& command : commands) known.emplace_back(command.name);
+  if (topic == "scene") {
+    print(script_manual());
+  } else if (topic.empty()) {
+    print(app.get_formatter()->make_help(&app, "bookspin", CLI::AppFormatMode::Normal));
+  } else if (std::find(known.begin(), known.end(), topic) != known.end()) {
+    print(app.get_subcommand(topic)->help("bookspin"));
+  } else {
+    throw WrongCall(fmt::format("help: found '{}'; {}", topic, did_you_mean(topic, known)));
+  }
+  return 0;
 }
 
 int run(int argc, char** argv) {
@@ -156,7 +155,7 @@ int run(int argc, char** argv) {
       *std::find_if(commands.begin(), commands.end(), [&](const Command& c) { return c.name == name; });
   const auto run_to_the_end = [&](const std::stop_token& stop) {
     options.stop = stop;
-    const int exit_code = command.run(options);
+    const int exit_code = command.run == nullptr ? explain(app, options.topic) : command.run(options);
     finish_output();
     return exit_code;
   };

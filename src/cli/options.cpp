@@ -156,6 +156,10 @@ void assets_option(CLI::App& command, Options& options) {
              "DIR");
 }
 
+void topic_argument(CLI::App& command, Options& options) {
+  command.add_option("TOPIC", options.topic, "A command, or scene")->type_name("");
+}
+
 void pictures_argument(CLI::App& command, Options& options) {
   command.add_option("PICTURE", options.pictures, "Two pictures of one size")
       ->required()

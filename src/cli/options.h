@@ -27,6 +27,7 @@ struct Options {
   int jobs = 0;  // 0: one a core
   bool update = false;
   bool quick = false;
+  std::string topic;
   std::vector<std::string> pictures;  // two
   std::optional<int> max_delta;       // levels
   std::optional<double> mean_delta;   // levels
@@ -58,6 +59,7 @@ void update_flag(CLI::App& command, Options& options);
 void quick_flag(CLI::App& command, Options& options);
 void set_option(CLI::App& command, Options& options);
 void assets_option(CLI::App& command, Options& options);
+void topic_argument(CLI::App& command, Options& options);
 void pictures_argument(CLI::App& command, Options& options);
 void bounds_options(CLI::App& command, Options& options);
 void delta_output(CLI::App& command, Options& options);

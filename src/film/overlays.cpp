@@ -117,7 +117,7 @@ constexpr std::array drawings{Drawing{Overlay::axes, add_axes, as_its_labels},
                               Drawing{Overlay::exact, add_exact, 1.0},
                               Drawing{Overlay::unrotated, add_unrotated, 1.0}};
 
-static_assert(drawings.size() == overlay_names.size());
+static_assert(drawings.size() == overlay_table.size());
 static_assert(std::all_of(drawings.begin(), drawings.end(),
                           [](const Drawing& row) { return row.id == static_cast<Overlay>(&row - drawings.data()); }));
 

@@ -34,20 +34,23 @@ struct ViewSetup {
 };
 
 // What can be drawn with a book, beside the book itself, in this order; how: film/overlays.cpp.
-enum class Overlay {
-  axes,              // body axes, labeled x, y, z
-  angular_velocity,  // arrow
-  angular_momentum,  // arrow
-  trace,             // the path of the tip of the spin axis (the one that tilt is measured of), fading with age
-  springs,           // all 28, colored by tension
-  exact,             // ghost: the exact book from the same start
-  unrotated,         // ghost: the book as it was at the start
-  count
+enum class Overlay { axes, angular_velocity, angular_momentum, trace, springs, exact, unrotated, count };
+
+struct OverlayInfo {
+  std::string_view name;  // in scripts
+  std::string_view meaning;
 };
 
-inline constexpr std::array<std::string_view, 7> overlay_names{
-    "axes", "angular_velocity", "angular_momentum", "trace", "springs", "exact", "unrotated"};
-static_assert(overlay_names.size() == static_cast<std::size_t>(Overlay::count));
+inline constexpr std::array overlay_table{
+    OverlayInfo{"axes", "the body axes, labeled x, y, z"},
+    OverlayInfo{"angular_velocity", "an arrow"},
+    OverlayInfo{"angular_momentum", "an arrow"},
+    OverlayInfo{"trace", "the path of the tip of the spin axis (the one that tilt is measured of), fading with age"},
+    OverlayInfo{"springs", "all 28, colored by their tension"},
+    OverlayInfo{"exact", "a ghost: the exact book from the same start"},
+    OverlayInfo{"unrotated", "a ghost: the book as it was at the start"},
+};
+static_assert(overlay_table.size() == static_cast<std::size_t>(Overlay::count));
 
 struct BookSetup {
   std::string name;  // printed under the book and in the data; may be empty

@@ -20,75 +20,65 @@
 namespace bookspin {
 namespace {
 
-constexpr std::array<std::string_view, 4> method_names{"springs", "matrix", "quaternion", "exact"};
-constexpr std::array<std::string_view, 2> style_names{"solid", "ghost"};
+const Words method_names{"springs", "matrix", "quaternion", "exact"};
+const Words style_names{"solid", "ghost"};
 
 constexpr int most_frames = 100000;       // half an hour at 60 frames a second
 constexpr int most_book_frames = 300000;  // books times frames: what a trajectory may take of memory
 constexpr int most_books = 8;
 
-Range positive() {
-  return {0.0, largest_number, true};
-}
-Range signed_number() {
-  return {-largest_number, largest_number};
+constexpr Range positive{0.0, largest_number, true};
+constexpr Range signed_number{-largest_number, largest_number};
+
+void read_clip(TableReader& reader, Clip& clip) {
+  reader.read("frames", clip.frames, 1, most_frames, "frames of the film; frame 0 is the start, one alone is a still");
+  reader.read("fps", clip.fps, 1, 240, "frames a second");
+  reader.read("time_per_frame", clip.time_per_frame, positive, "simulated time from one frame to the next");
+  reader.read("substeps", clip.substeps, 1, 1000000,
+              "integration steps in each frame; the step is h = time_per_frame / substeps");
 }
 
-std::vector<std::string_view> quantity_names() {
-  std::vector<std::string_view> names;
-  for (const Quantity& q : quantities) names.push_back(q.name);
-  return names;
-}
-
-void read_clip(TableReader& scene_reader, Clip& clip) {
-  const toml::node* node = scene_reader.node("clip");
-  if (node == nullptr) return;
-  if (!node->is_table()) scene_reader.fail(*node, "clip", "a table [clip]");
-  TableReader reader(*node->as_table(), "clip");
-  reader.read("frames", clip.frames, 1, most_frames);
-  reader.read("fps", clip.fps, 1, 240);
-  reader.read("time_per_frame", clip.time_per_frame, positive());
-  reader.read("substeps", clip.substeps, 1, 1000000);
-  reader.done();
-}
-
-void read_view(TableReader& scene_reader, ViewSetup& view) {
-  const toml::node* node = scene_reader.node("view");
-  if (node == nullptr) return;
-  if (!node->is_table()) scene_reader.fail(*node, "view", "a table [view]");
-  TableReader reader(*node->as_table(), "view");
-  reader.read("from", view.from, signed_number());
+void read_view(TableReader& reader, ViewSetup& view) {
+  reader.read("from", view.from, signed_number,
+              "direction from the books to the camera, not straight up or down; the distance follows from the motion");
   if (view.from.x() == 0.0 && view.from.z() == 0.0) {
-    reader.fail(*reader.node("from"), "from", "a direction that does not point straight up or down: x or z not 0");
+    reader.fail("from", "a direction that does not point straight up or down: x or z not 0");
   }
-  const std::vector<std::string_view> names = quantity_names();
-  for (const std::size_t i : reader.read_words("head_up", names)) view.head_up.push_back(quantities[i].id);
-  reader.done();
+  for (const std::size_t i : reader.read_words("head_up", names_of(quantities),
+                                               "shown with the time while the film runs; none: no time either",
+                                               "a list of quantities, as below")) {
+    view.head_up.push_back(quantities[i].id);
+  }
 }
 
 // The paper's damping is on or off; a number is a multiple of its critical damping.
 void read_damping(TableReader& reader, double& damping) {
-  const toml::node* node = reader.node("damping");
+  const toml::node* node =
+      reader.declare({"damping", "of springs: multiple of the critical damping; 0: none; true is 1, false is 0",
+                      "true, false, or a number from 0 to 1000",
+                      R"("type": ["boolean", "number"], "minimum": 0, "maximum": 1000)", fmt::format("{}", damping)});
   if (node == nullptr) return;
   if (node->is_boolean()) {
     damping = node->as_boolean()->get() ? 1.0 : 0.0;
     return;
   }
   const std::optional<double> value = node->is_number() ? node->value<double>() : std::nullopt;
-  if (!value || !(*value >= 0.0 && *value <= 1000.0)) {
-    reader.fail(*node, "damping", "true, false, or a number from 0 to 1000");
-  }
+  if (!value || !(*value >= 0.0 && *value <= 1000.0)) reader.fail("damping");
   damping = *value;
 }
 
 // One that the method takes, with the damping that the book has.
 void read_integrator(TableReader& reader, BookSetup& book) {
-  const toml::node* node = reader.node("integrator");
+  const toml::node* node =
+      reader.declare({"integrator", "how the book is stepped", "",
+                      fmt::format(R"("enum": ["{}"])", fmt::join(names_of(integrators), R"(", ")")),
+                      fmt::format("\"{}\"", info_of(book.options.integrator).name),
+                      "an integrator of the method, as below; none for exact"});
   if (node == nullptr) return;
   const std::optional<std::string> word = node->value<std::string>();
   const bool damped = book.method == Method::springs && book.options.damping > 0.0;
-  std::vector<std::string_view> allowed;
-  std::vector<std::string_view> undamped;  // what damping alone forbids
+  Words allowed;
+  Words undamped;  // what damping alone forbids
   for (const IntegratorInfo& integrator : integrators) {
     if (takes(book.method, damped, integrator)) {
       allowed.push_back(integrator.name);
@@ -98,151 +88,156 @@ void read_integrator(TableReader& reader, BookSetup& book) {
     }
     if (takes(book.method, false, integrator)) undamped.push_back(integrator.name);
   }
-  if (allowed.empty()) reader.fail(*node, "integrator", "none: the exact motion takes no steps");
+  if (allowed.empty()) reader.fail("integrator", "none: the exact motion takes no steps");
   std::string text =
       fmt::format("for {}{} one of {}", name_of(book.method), damped ? " with damping" : "", fmt::join(allowed, ", "));
   if (!undamped.empty()) text += fmt::format("; {} need damping = false", fmt::join(undamped, " and "));
-  reader.fail(*node, "integrator", text);
+  reader.fail("integrator", text);
 }
 
-BookSetup read_book(const toml::table& table, const std::string& path) {
-  TableReader reader(table, path);
-  BookSetup book;
+void read_book(TableReader& reader, BookSetup& book) {
   BookOptions& o = book.options;
-  reader.read("name", book.name);
-  book.method = static_cast<Method>(reader.read_word("method", method_names, 0));
-  reader.read("size", o.size, {1e-6, largest_number});
-  reader.read("angular_velocity", o.omega_W, signed_number());
-  reader.read("jiggle", book.jiggle, {0.0, 1.0});
+  reader.read("name", book.name, "printed under the book");
+  book.method = static_cast<Method>(
+      reader.read_word("method", method_names,
+                       "how the book is simulated: eight corners on 28 springs, a rotation matrix, a quaternion, "
+                       "or the exact rigid motion, which takes no steps"));
+  reader.read("size", o.size, {1e-6, largest_number}, "edge lengths along x, y, z");
+  reader.read("angular_velocity", o.omega_W, signed_number, "at the start, about x, y, z, in radians per unit of time");
+  reader.read("jiggle", book.jiggle, {0.0, 1.0},
+              "length of a random vector added to the angular velocity, as a part of its length; the direction is the "
+              "seed's, the same for all books");
   bool normalize = true;
-  reader.read("normalize", normalize);
-  reader.read("normalize_every", o.normalize_every, 1, 1000000);
+  reader.read(
+      "normalize", normalize,
+      "springs: energy and center; matrix: by singular value decomposition; quaternion: to unit length; whatever "
+      "the integrator");
+  reader.read("normalize_every", o.normalize_every, 1, 1000000, "steps from one normalization to the next");
   if (!normalize) o.normalize_every = 0;
   read_damping(reader, o.damping);
   read_integrator(reader, book);
-  reader.read("stiffness", o.stiffness, positive());
-  reader.read("particle_mass", o.particle_mass, positive());
-  reader.read("position", book.position_W, signed_number());
-  book.style = static_cast<Style>(reader.read_word("style", style_names, 0));
-  for (const std::size_t i : reader.read_words("show", overlay_names)) book.show.insert(static_cast<Overlay>(i));
-  reader.done();
-  return book;
+  reader.read("stiffness", o.stiffness, positive, "of springs: force per length of each of the 28");
+  reader.read("particle_mass", o.particle_mass, positive, "mass of each of the eight corners");
+  reader.read("position", book.position_W, signed_number, "where the book is drawn; it moves about this point");
+  book.style = static_cast<Style>(reader.read_word("style", style_names, "how the book is drawn"));
+  for (const std::size_t i : reader.read_words("show", names_of(overlay_table), "what is drawn with the book",
+                                               "a list of overlays, as below")) {
+    book.show.insert(static_cast<Overlay>(i));
+  }
 }
 
-std::pair<int, int> read_frame_pair(TableReader& reader, const toml::node& node) {
-  const std::string allowed =
-      fmt::format("two frames [first, last], from 0 to {}, the first not after the last", most_frames);
-  const toml::array* list = node.as_array();
+// [first, last]; nothing when the key is absent.
+std::optional<std::pair<int, int>> read_frame_pair(TableReader& reader, const char* meaning) {
+  const toml::node* node = reader.declare(
+      {"frames", meaning,
+       fmt::format("two frames [first, last], from 0 to {}, the first not after the last", most_frames),
+       fmt::format(R"("type": "array", "items": {{"type": "integer", "minimum": 0, "maximum": {}}}, "minItems": 2, )"
+                   R"("maxItems": 2)",
+                   most_frames)});
+  if (node == nullptr) return {};
+  const toml::array* list = node->as_array();
   if (list == nullptr || list->size() != 2 || !(*list)[0].is_integer() || !(*list)[1].is_integer()) {
-    reader.fail(node, "frames", allowed);
+    reader.fail("frames");
   }
   const auto first = (*list)[0].as_integer()->get();
   const auto last = (*list)[1].as_integer()->get();
-  if (first < 0 || last < first || last > most_frames) reader.fail(node, "frames", allowed);
-  return {static_cast<int>(first), static_cast<int>(last)};
+  if (first < 0 || last < first || last > most_frames) reader.fail("frames");
+  return std::pair{static_cast<int>(first), static_cast<int>(last)};
 }
 
 void read_frames(TableReader& reader, Expectation& e) {
-  if (reader.has("frame")) {
-    reader.read("frame", e.first_frame, 0, most_frames);
-    e.last_frame = e.first_frame;
-    if (reader.has("frames")) reader.fail(*reader.node("frames"), "frames", "either frame or frames");
-  }
-  const toml::node* node = reader.node("frames");
-  if (node == nullptr) return;
-  const auto [first, last] = read_frame_pair(reader, *node);
-  e.first_frame = first;
-  e.last_frame = last;
+  reader.read("frame", e.last_frame, 0, most_frames, "the one frame that is judged");
+  const auto frames =
+      read_frame_pair(reader, "the frames that are judged, in place of `frame`; without both the whole film is");
+  if (frames && e.last_frame) reader.fail("frames", "either frame or frames");
+  if (e.last_frame) e.first_frame = *e.last_frame;
+  if (frames) std::tie(e.first_frame, e.last_frame) = *frames;
 }
 
-Expectation read_expectation(const toml::table& table, const std::string& path, int books) {
-  TableReader reader(table, path);
-  Expectation e;
-  const std::vector<std::string_view> names = quantity_names();
-  reader.read("says", e.says);
-  if (!reader.has("quantity")) reader.fail_missing("quantity", fmt::format("one of {}", fmt::join(names, ", ")));
-  e.quantity = quantities[reader.read_word("quantity", names, 0)].id;
-  reader.read("book", e.book, 0, books - 1);
-  reader.node("frame");  // known, though most expectations give a range or nothing
+void read_expectation(TableReader& reader, Expectation& e, std::size_t books) {
+  reader.read("says", e.says, "the claim in words");
+  e.quantity =
+      quantities[reader.read_word("quantity", names_of(quantities), "what is measured", "a quantity, as below")].id;
+  reader.need("quantity");
+  reader.read("book", e.book, 0, static_cast<int>(books) - 1, "of which book, from 0");
   read_frames(reader, e);
-  for (const auto& [key, bound] : {std::pair{"at_least", &e.at_least}, std::pair{"at_most", &e.at_most},
-                                   std::pair{"rises_to", &e.rises_to}, std::pair{"falls_to", &e.falls_to}}) {
-    reader.read(key, *bound, {-1e300, 1e300});
-  }
+  constexpr Range any{-1e300, 1e300};
+  reader.read("at_least", e.at_least, any, "every frame that is judged is at or above this");
+  reader.read("at_most", e.at_most, any, "every frame that is judged is at or below this");
+  reader.read("rises_to", e.rises_to, any, "some frame that is judged reaches this or passes it upwards");
+  reader.read("falls_to", e.falls_to, any, "some frame that is judged reaches this or passes it downwards");
   if (!e.at_least && !e.at_most && !e.rises_to && !e.falls_to) {
     reader.fail_missing("at_least", "one of at_least, at_most (every frame), rises_to, falls_to (some frame)");
   }
-  reader.done();
-  return e;
 }
 
-Cue read_cue(const toml::table& table, const std::string& path, const std::vector<Cue>& before) {
-  TableReader reader(table, path);
-  Cue cue;
-  reader.read("says", cue.says);
+void read_cue(TableReader& reader, Cue& cue, int after) {
+  reader.read("says", cue.says, "one sentence, true as long as it stands");
   if (cue.says.empty()) reader.fail_missing("says", "a text in quotes, not empty");
-  const toml::node* node = reader.node("frames");
-  if (node == nullptr) reader.fail_missing("frames", "two frames [first, last]");
-  std::tie(cue.first_frame, cue.last_frame) = read_frame_pair(reader, *node);
-  if (!before.empty() && cue.first_frame <= before.back().last_frame) {
-    reader.fail(*node, "frames", fmt::format("frames after {}, the last of the cue before", before.back().last_frame));
+  reader.need("says");
+  const auto frames = read_frame_pair(reader, "when it stands");
+  reader.need("frames");
+  std::tie(cue.first_frame, cue.last_frame) = *frames;
+  if (cue.first_frame <= after) {
+    reader.fail("frames", fmt::format("frames after {}, the last of the cue before", after));
   }
-  reader.done();
-  return cue;
 }
 
-const toml::array* tables(TableReader& reader, std::string_view key) {
-  const toml::node* node = reader.node(key);
-  if (node == nullptr) return nullptr;
-  const toml::array* list = node->as_array();
-  if (list == nullptr || list->empty()) reader.fail(*node, key, fmt::format("one or more tables [[{}]]", key));
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    const toml::node& one = (*list)[i];
-    if (!one.is_table()) reader.fail(one, fmt::format("{}.{}", key, i), fmt::format("a table [[{}]]", key));
-  }
-  return list;
-}
-
-Scene read_scene(const toml::table& table) {
-  TableReader reader(table, "");
+Scene read_scene(const toml::table& table, std::vector<KeyTable>* record = nullptr) {
+  TableReader reader(table, record);
   Scene scene;
-  reader.read("title", scene.title);
-  if (!reader.has("title")) reader.fail_missing("title", "a text in quotes");
-  if (scene.title.empty()) reader.fail(*reader.node("title"), "title", "a text in quotes, not empty");
-  reader.read("caption", scene.caption);
+  reader.read("title", scene.title, "shown in the picture and on the page");
+  reader.need("title");
+  if (scene.title.empty()) reader.fail("title", "a text in quotes, not empty");
+  reader.read("caption", scene.caption, "the text below the film");
   int seed = 1;
-  reader.read("seed", seed, 0, std::numeric_limits<int>::max());
+  reader.read("seed", seed, 0, std::numeric_limits<int>::max(), "of the jiggle");
   scene.seed = static_cast<std::uint64_t>(seed);
-  read_clip(reader, scene.clip);
-  read_view(reader, scene.view);
-  const toml::array* books = tables(reader, "book");
-  if (books == nullptr) reader.fail_missing("book", "one or more tables [[book]]");
+  for (TableReader& clip : reader.table("clip", "length and steps")) {
+    read_clip(clip, scene.clip);
+    clip.done();
+  }
+  for (TableReader& view : reader.table("view", "camera and numbers in the picture")) {
+    read_view(view, scene.view);
+    view.done();
+  }
+  std::vector<TableReader> books = reader.tables("book", "one to eight of them");
+  reader.need("book");
   const std::size_t most =
       std::min<std::size_t>(most_books, static_cast<std::size_t>(most_book_frames / scene.clip.frames));
-  if (books->size() > most) {
-    throw std::invalid_argument(
-        fmt::format("{}book: found {} books of {} frames; allowed: up to {} books, and books x frames up to {}",
-                    location(books->source()), books->size(), scene.clip.frames, most_books, most_book_frames));
+  if (books.size() > most) {
+    throw std::invalid_argument(fmt::format(
+        "{}book: found {} books of {} frames; allowed: up to {} books, and books x frames up to {}",
+        location(table.get("book")->source()), books.size(), scene.clip.frames, most_books, most_book_frames));
   }
-  for (std::size_t i = 0; i < books->size(); ++i) {
-    scene.books.push_back(read_book(*(*books)[i].as_table(), fmt::format("book.{}", i)));
+  for (TableReader& book : books) {
+    read_book(book, scene.books.emplace_back());
+    book.done();
   }
-  if (const toml::array* list = tables(reader, "expect")) {
-    for (std::size_t i = 0; i < list->size(); ++i) {
-      scene.expectations.push_back(
-          read_expectation(*(*list)[i].as_table(), fmt::format("expect.{}", i), static_cast<int>(scene.books.size())));
-    }
+  for (TableReader& expect : reader.tables("expect", "what the film must show, as numbers; at least one bound each")) {
+    read_expectation(expect, scene.expectations.emplace_back(), books.size());
+    expect.done();
   }
-  if (const toml::array* list = tables(reader, "cue")) {
-    for (std::size_t i = 0; i < list->size(); ++i) {
-      scene.cues.push_back(read_cue(*(*list)[i].as_table(), fmt::format("cue.{}", i), scene.cues));
-    }
+  for (TableReader& cue : reader.tables("cue", "captions of your own; without one the page finds them in the motion")) {
+    const int after = scene.cues.empty() ? -1 : scene.cues.back().last_frame;
+    read_cue(cue, scene.cues.emplace_back(), after);
+    cue.done();
   }
   reader.done();
   return scene;
 }
 
 }  // namespace
+
+std::vector<KeyTable> script_keys() {
+  std::vector<KeyTable> tables;
+  (void)read_scene(parse_toml("title = 'T'\nclip = {}\nview = {}\nbook = [{}, {}, {}, {}, {}, {}, {}, {}]\n"
+                              "expect = [{quantity = 'tilt', at_least = 0}]\ncue = [{says = 'S', frames = [0, 0]}]",
+                              "every table"),
+                   &tables);
+  std::rotate(tables.begin(), tables.end() - 1, tables.end());  // the root, which is read last, comes first
+  return tables;
+}
 
 Scene parse_scene(std::string_view text, const std::string& name, std::span<const std::string> overrides) {
   toml::table table = parse_toml(text, name);

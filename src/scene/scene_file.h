@@ -20,6 +20,9 @@ namespace bookspin {
 [[nodiscard]] Scene parse_scene(std::string_view text, const std::string& name,
                                 std::span<const std::string> overrides = {});
 
+// Every key that a script may hold, as the reader declares them: the root's first.
+[[nodiscard]] std::vector<struct KeyTable> script_keys();
+
 [[nodiscard]] std::string_view name_of(Method method);
 
 }  // namespace bookspin

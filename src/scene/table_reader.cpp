@@ -8,6 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "scene/did_you_mean.h"
+
 namespace bookspin {
 namespace {
 
@@ -26,21 +28,23 @@ std::optional<double> number_in(const toml::node& node, const Range& range) {
   return value;
 }
 
-std::optional<std::size_t> index_of(const toml::node& node, std::span<const std::string_view> words) {
+std::optional<std::size_t> index_of(const toml::node& node, const Words& words) {
   const auto* text = node.as_string();
   const auto found = text == nullptr ? words.end() : std::find(words.begin(), words.end(), text->get());
   if (found == words.end()) return {};
   return static_cast<std::size_t>(found - words.begin());
 }
 
-}  // namespace
-
-std::string location(const toml::source_region& source) {
-  const std::string name = source.path ? *source.path : std::string("script");
-  if (name.starts_with("--set")) return name + ": ";
-  return fmt::format("{}:{}:{}: ", name, source.begin.line, source.begin.column);
+std::string schema_of(const Range& range) {
+  return fmt::format(R"("type": "number", "{}inimum": {:g}, "maximum": {:g})",
+                     range.least_excluded ? "exclusiveM" : "m", range.least, range.most);
 }
 
+std::string quoted(const Words& words) {
+  return fmt::format("\"{}\"", fmt::join(words, "\", \""));
+}
+
+// A node as it would be written, shortened.
 std::string shown(const toml::node& node) {
   if (node.is_table()) return "a table";
   if (node.is_array_of_tables()) return "a list of tables";
@@ -65,8 +69,20 @@ std::string shown(const toml::node& node) {
   return text.substr(0, length) + " ...";
 }
 
+}  // namespace
+
+std::string location(const toml::source_region& source) {
+  const std::string name = source.path ? *source.path : std::string("script");
+  if (name.starts_with("--set")) return name + ": ";
+  return fmt::format("{}:{}:{}: ", name, source.begin.line, source.begin.column);
+}
+
 std::string TableReader::full_key(std::string_view key) const {
   return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+}
+
+const Key& TableReader::declared(std::string_view key) const {
+  return *std::find_if(keys_.begin(), keys_.end(), [key](const Key& k) { return k.name == key; });
 }
 
 void TableReader::fail(const toml::node& at, std::string_view key, std::string_view allowed) const {
@@ -74,97 +90,152 @@ void TableReader::fail(const toml::node& at, std::string_view key, std::string_v
       fmt::format("{}{}: found {}; allowed: {}", location(at.source()), full_key(key), shown(at), allowed));
 }
 
+void TableReader::fail(std::string_view key, std::string_view allowed) const {
+  fail(*table_->get(key), key, allowed.empty() ? declared(key).allowed : allowed);
+}
+
 void TableReader::fail_missing(std::string_view key, std::string_view allowed) const {
   throw std::invalid_argument(
-      fmt::format("{}{}: is missing; allowed: {}", location(table_.source()), full_key(key), allowed));
+      fmt::format("{}{}: is missing; allowed: {}", location(table_->source()), full_key(key), allowed));
 }
 
-const toml::node* TableReader::node(std::string_view key) {
-  known_.emplace(key);
-  return table_.get(key);
+const toml::node* TableReader::declare(Key key) {
+  keys_.push_back(std::move(key));
+  return table_->get(keys_.back().name);
 }
 
-void TableReader::read(std::string_view key, std::string& value) {
-  const toml::node* found = node(key);
+void TableReader::need(std::string_view key) {
+  for (Key& k : keys_) {
+    if (k.name != key) continue;
+    k.needed = true;
+    if (!has(key)) fail_missing(key, k.allowed);
+  }
+}
+
+void TableReader::read(std::string_view key, std::string& value, const char* meaning) {
+  const toml::node* found = declare({std::string(key), meaning, "a text in quotes", R"("type": "string")"});
   if (found == nullptr) return;
-  if (!found->is_string()) fail(*found, key, "a text in quotes");
+  if (!found->is_string()) fail(key);
   value = found->as_string()->get();
 }
 
-void TableReader::read(std::string_view key, bool& value) {
-  const toml::node* found = node(key);
+void TableReader::read(std::string_view key, bool& value, const char* meaning) {
+  const toml::node* found =
+      declare({std::string(key), meaning, "true or false", R"("type": "boolean")", value ? "true" : "false"});
   if (found == nullptr) return;
-  if (!found->is_boolean()) fail(*found, key, "true or false");
+  if (!found->is_boolean()) fail(key);
   value = found->as_boolean()->get();
 }
 
-void TableReader::read(std::string_view key, int& value, int least, int most) {
-  const toml::node* found = node(key);
+void TableReader::read(std::string_view key, int& value, int least, int most, const char* meaning) {
+  std::optional<int> number;
+  read(key, number, least, most, meaning);
+  keys_.back().otherwise = std::to_string(value);
+  value = number.value_or(value);
+}
+
+void TableReader::read(std::string_view key, std::optional<int>& value, int least, int most, const char* meaning) {
+  const toml::node* found =
+      declare({std::string(key), meaning, fmt::format("a whole number from {} to {}", least, most),
+               fmt::format(R"("type": "integer", "minimum": {}, "maximum": {})", least, most)});
   if (found == nullptr) return;
   const bool fits = found->is_integer() && found->as_integer()->get() >= least && found->as_integer()->get() <= most;
-  if (!fits) fail(*found, key, fmt::format("a whole number from {} to {}", least, most));
+  if (!fits) fail(key);
   value = static_cast<int>(found->as_integer()->get());
 }
 
-void TableReader::read(std::string_view key, double& value, Range range) {
-  const toml::node* found = node(key);
+void TableReader::read(std::string_view key, double& value, Range range, const char* meaning) {
+  std::optional<double> number;
+  read(key, number, range, meaning);
+  keys_.back().otherwise = fmt::format("{}", value);
+  value = number.value_or(value);
+}
+
+void TableReader::read(std::string_view key, std::optional<double>& value, Range range, const char* meaning) {
+  const toml::node* found = declare({std::string(key), meaning, text_of(range), schema_of(range)});
   if (found == nullptr) return;
-  const std::optional<double> number = number_in(*found, range);
-  if (!number) fail(*found, key, text_of(range));
-  value = *number;
+  value = number_in(*found, range);
+  if (!value) fail(key);
 }
 
-void TableReader::read(std::string_view key, std::optional<double>& value, Range range) {
-  if (!has(key)) {
-    known_.emplace(key);
-    return;
-  }
-  double number = 0.0;
-  read(key, number, range);
-  value = number;
-}
-
-void TableReader::read(std::string_view key, Eigen::Vector3d& value, Range each) {
-  const toml::node* found = node(key);
+void TableReader::read(std::string_view key, Eigen::Vector3d& value, Range each, const char* meaning) {
+  const toml::node* found =
+      declare({std::string(key), meaning, fmt::format("a list of three numbers [x, y, z], each {}", text_of(each)),
+               fmt::format(R"("type": "array", "items": {{{}}}, "minItems": 3, "maxItems": 3)", schema_of(each)),
+               fmt::format("[{}, {}, {}]", value.x(), value.y(), value.z())});
   if (found == nullptr) return;
   const toml::array* list = found->as_array();
-  const std::string allowed = fmt::format("a list of three numbers [x, y, z], each {}", text_of(each));
-  if (list == nullptr || list->size() != 3) fail(*found, key, allowed);
+  if (list == nullptr || list->size() != 3) fail(key);
   for (int d = 0; d < 3; ++d) {
     const std::optional<double> number = number_in((*list)[static_cast<std::size_t>(d)], each);
-    if (!number) fail(*found, key, allowed);
+    if (!number) fail(key);
     value(d) = *number;
   }
 }
 
-std::size_t TableReader::read_word(std::string_view key, std::span<const std::string_view> words,
-                                   std::size_t otherwise) {
-  const toml::node* found = node(key);
-  if (found == nullptr) return otherwise;
+std::size_t TableReader::read_word(std::string_view key, const Words& words, const char* meaning, const char* manual) {
+  const toml::node* found = declare({std::string(key), meaning, "one of " + quoted(words),
+                                     fmt::format(R"("enum": [{}])", quoted(words)), quoted({words.front()}), manual});
+  if (found == nullptr) return 0;
   const std::optional<std::size_t> i = index_of(*found, words);
-  if (!i) fail(*found, key, fmt::format("one of \"{}\"", fmt::join(words, "\", \"")));
+  if (!i) fail(key);
   return *i;
 }
 
-std::vector<std::size_t> TableReader::read_words(std::string_view key, std::span<const std::string_view> words) {
+std::vector<std::size_t> TableReader::read_words(std::string_view key, const Words& words, const char* meaning,
+                                                 const char* manual) {
   std::vector<std::size_t> indices;
-  const toml::node* found = node(key);
+  const toml::node* found =
+      declare({std::string(key), meaning, "a list of " + quoted(words),
+               fmt::format(R"("type": "array", "items": {{"enum": [{}]}})", quoted(words)), "[]", manual});
   if (found == nullptr) return indices;
-  const std::string allowed = fmt::format("a list of \"{}\"", fmt::join(words, "\", \""));
-  if (!found->is_array()) fail(*found, key, allowed);
+  if (!found->is_array()) fail(key);
   for (const toml::node& entry : *found->as_array()) {
     const std::optional<std::size_t> i = index_of(entry, words);
-    if (!i) fail(entry, key, allowed);
+    if (!i) fail(entry, key, declared(key).allowed);
     indices.push_back(*i);
   }
   return indices;
 }
 
+std::vector<TableReader> TableReader::table(std::string_view key, const char* meaning) {
+  const toml::node* found = declare(
+      {std::string(key), meaning, fmt::format("a table [{}]", key), fmt::format(R"("$ref": "#/$defs/{}")", key)});
+  if (found == nullptr) return {};
+  if (!found->is_table()) fail(key);
+  TableReader reader(*found->as_table(), record_);
+  reader.path_ = key;
+  return {reader};
+}
+
+std::vector<TableReader> TableReader::tables(std::string_view key, const char* meaning) {
+  const toml::node* found =
+      declare({std::string(key), meaning, fmt::format("one or more tables [[{}]]", key),
+               fmt::format(R"("type": "array", "minItems": 1, "items": {{"$ref": "#/$defs/{}"}})", key)});
+  if (found == nullptr) return {};
+  const toml::array* list = found->as_array();
+  if (list == nullptr || list->empty()) fail(key);
+  std::vector<TableReader> readers;
+  for (const toml::node& one : *list) {
+    const std::string path = fmt::format("{}.{}", key, readers.size());
+    if (!one.is_table()) fail(one, path, fmt::format("a table [[{}]]", key));
+    readers.emplace_back(*one.as_table(), record_).path_ = path;
+  }
+  return readers;
+}
+
 void TableReader::done() const {
-  for (const auto& [key, value] : table_) {
-    if (known_.contains(key.str())) continue;
-    throw std::invalid_argument(fmt::format("{}{}: unknown key; allowed here: {}", location(key.source()),
-                                            full_key(key.str()), fmt::join(known_, ", ")));
+  for (const auto& [key, value] : *table_) {
+    std::vector<std::string> known;
+    for (const Key& k : keys_) known.push_back(k.name);
+    if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+    throw std::invalid_argument(fmt::format("{}{}: unknown key; {}", location(key.source()), full_key(key.str()),
+                                            did_you_mean(key.str(), known)));
+  }
+  if (record_ == nullptr) return;
+  const std::string name = path_.substr(0, path_.find('.'));
+  if (std::none_of(record_->begin(), record_->end(), [&](const KeyTable& t) { return t.name == name; })) {
+    record_->push_back({name, keys_});
   }
 }
 

@@ -50,12 +50,17 @@ struct Cli : testing::Test {
 
 TEST_F(Cli, HelpOfEveryCommandHasAnExample) {
   EXPECT_EQ((*this)("--help").exit_code, 0);
-  for (const char* command : {"list", "render", "frame", "check", "trajectory", "page", "report", "compare"}) {
+  for (const char* command :
+       {"list", "render", "frame", "check", "trajectory", "page", "report", "compare", "help", "schema"}) {
     const Said said = (*this)(std::string(command) + " --help");
     EXPECT_EQ(said.exit_code, 0);
     EXPECT_THAT(said.out, HasSubstr("Example")) << command;
     EXPECT_THAT(said.out, HasSubstr(std::string("  bookspin ") + command)) << command;
+    EXPECT_EQ((*this)(std::string("help ") + command).out, said.out);
   }
+  EXPECT_EQ((*this)("help").out, (*this)("--help").out);
+  EXPECT_EQ((*this)("help scene").out, read_text(videos + "README.md"));
+  EXPECT_THAT((*this)("schema").out, StartsWith("{\n  \"$schema\": "));
   EXPECT_THAT((*this)("render --help").out, ContainsRegex("--size WxH.*1280x720"));
 }
 
@@ -262,8 +267,10 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadCall{"nothing", "", 2, "A subcommand is required"},
         BadCall{"unknown_command", "film mine.toml", 2,
-                "unknown command 'film'; allowed: list, render, frame, check, trajectory, page, report, compare\n"},
+                "unknown command 'film'; allowed: list, render, frame, check, trajectory, page, report, compare, help, "
+                "schema\n"},
         BadCall{"nearly_a_command", "rendr mine.toml", 2, "unknown command 'rendr'; did you mean render?\n"},
+        BadCall{"nearly_a_topic", "help scenes", 2, "help: found 'scenes'; did you mean scene?\n"},
         BadCall{"unknown_option", "check mine.toml --fast", 2, "unknown option '--fast'; allowed: --help, --set\n"},
         BadCall{"nearly_an_option", "render --siz=64x36", 2, "unknown option '--siz'; did you mean --size?\n"},
         BadCall{"one_word_too_many", "list . there", 2, "found 'there', which is one word too many"},

@@ -1,0 +1,13 @@
+// The near match for a word that is not known.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace bookspin {
+
+// "did you mean render?", or "allowed: list, render, ..." when nothing known is near.
+[[nodiscard]] std::string did_you_mean(std::string_view word, std::span<const std::string> known);
+
+}  // namespace bookspin
