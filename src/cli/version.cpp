@@ -5,8 +5,12 @@
 #include <png.h>
 #include FT_FREETYPE_H
 
-#include <toml++/impl/version.h>
 #include <Eigen/Core>
+#if __has_include(<toml++/impl/version.hpp>)  // from 3.4 on
+#include <toml++/impl/version.hpp>
+#else
+#include <toml++/impl/version.h>
+#endif
 
 #include "commit.h"  // written by the build: BOOKSPIN_COMMIT
 
