@@ -96,8 +96,8 @@ void frame_costs(Draft& draft) {
 
   Table accuracy{{"dynamics of one frame", "error reached in case a", "CPU microseconds", "part of the frame"}, {}};
   Plot plot{"largest error in case a, radians", "CPU milliseconds a frame"};
-  plot.x_range = "[1e-15:10]";
-  plot.y_range = "[1e-5:100]";
+  plot.x_range = {1e-16, 100.0};
+  plot.y_range = {1e-5, 100.0};
   plot.more = {
       fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead lc rgb '#000000' lw 1.5 dt 2", rest),
       fmt::format("set label 'drawing and encoding: {:.1f} ms' at graph 0.02, first {} offset 0, 0.6", rest, rest)};

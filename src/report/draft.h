@@ -100,8 +100,8 @@ void instability(Draft& draft);
 void frame_costs(Draft& draft);
 void claims(Draft& draft);
 
-// The plot of error over cost of these problems' runs; of several problems the first one's solvers stand in the key.
+// The plot of error over cost of these problems' runs; of several problems the first one's lines are named.
 [[nodiscard]] Plot work_precision_plot(const Runs& runs, const std::vector<Problem>& problems,
-                                       const std::string& y_label, const std::string& lowest);
+                                       const std::string& y_label, double lowest);
 
 }  // namespace bookspin

@@ -150,7 +150,7 @@ void what_normalization_hides(Draft& draft) {
                          {"energy", frames.back()[Q::energy_ratio]},
                          {"momentum", frames.back()[Q::angular_momentum_ratio]}};
   Plot plot{"time", "relative to the start", false, false};
-  plot.y_range = "[0:1.2]";
+  plot.y_range = {0.0, 1.2};
   plot.series = {{"energy", over_time(Q::energy_ratio), {color::blue}, Mark::line},
                  {"angular momentum", over_time(Q::angular_momentum_ratio), {color::vermillion}, Mark::line}};
   draft.plot("what_normalization_hides", plot);

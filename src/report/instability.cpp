@@ -138,7 +138,7 @@ void flip_times(Draft& draft) {
   Table table{{"kick", "theory"}, {}};
   Table summary{{"kick", "theory", "rigid methods", "springs", "but never"}, {}};
   Plot plot{"kick, relative to the spin", "time of the first flip, distance from theory"};
-  plot.y_range = "[1e-6:1e3]";
+  plot.y_range = {1e-6, 1e3};
   for (const Solver& solver : all) {
     table.columns.push_back(title_of(solver));
     plot.series.push_back({title_of(solver), {}, pen_of(solver)});

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
 
+#include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -51,6 +53,58 @@ std::string drawn_by_gnuplot(const std::string& name, const std::string& script)
   return drawn;
 }
 
+bool is_given(const std::array<double, 2>& range) {
+  return range[0] < range[1];
+}
+
+// A label for each line, beside that one of its points which leaves most room to all other points and labels.
+std::string names_at_lines(const Plot& plot) {
+  struct Box {
+    Eigen::Array2d middle, half;  // pixels
+  };
+  const auto along = [](double value, const std::array<double, 2>& range, bool log) {
+    return log ? std::log(value / range[0]) / std::log(range[1] / range[0])
+               : (value - range[0]) / (range[1] - range[0]);
+  };
+  const auto place = [&](const std::pair<double, double>& p) {
+    return Eigen::Array2d(850.0 * along(p.first, plot.x_range, plot.log_x),
+                          470.0 * along(p.second, plot.y_range, plot.log_y));
+  };
+  std::vector<Box> taken;
+  for (const Series& series : plot.series) {
+    for (const auto& point : series.points) taken.push_back({place(point), {5.0, 5.0}});
+  }
+  std::string labels;
+  for (const Series& series : plot.series) {
+    if (series.title.empty() || series.points.empty()) continue;
+    const Eigen::Array2d half(3.8 * static_cast<double>(series.title.size()), 8.0);
+    Box best{};
+    std::string label;
+    double most = -none;
+    for (const auto& point : series.points) {
+      for (const double side : {1.0, -1.0}) {
+        const Box name{place(point) + Eigen::Array2d(side * (half.x() + 9.0), 9.0), half};
+        const bool inside = (name.middle - half).minCoeff() > 0.0 && name.middle.x() + half.x() < 850.0;
+        double room = inside ? none : -1e3;
+        for (const Box& other : taken) {
+          const bool own = (other.middle - place(point)).abs().maxCoeff() < 1.0;
+          const Eigen::Array2d gap = (other.middle - name.middle).abs() - other.half - half;
+          if (!own) room = std::min(room, gap.maxCoeff() < 0.0 ? gap.maxCoeff() : gap.max(0.0).matrix().norm());
+        }
+        if (room <= most) continue;
+        most = room;
+        best = name;
+        label = fmt::format("at {}, {} {} offset character {}, 0.6", point.first, point.second,
+                            side > 0.0 ? "left" : "right", 0.9 * side);
+      }
+    }
+    taken.push_back(best);
+    labels += fmt::format("set label {} {} noenhanced font ',13' tc rgb '{}'\n", quoted(series.title), label,
+                          series.pen.color);
+  }
+  return labels;
+}
+
 }  // namespace
 
 void require_gnuplot() {
@@ -86,8 +140,10 @@ std::string svg_of(const std::string& name, const Plot& plot) {
   script += "set xlabel " + quoted(plot.x_label) + "\nset ylabel " + quoted(plot.y_label) + "\n";
   script += plot.log_x ? "set logscale x\n" : "set format x '%g'\n";
   script += plot.log_y ? "set logscale y\n" : "set format y '%g'\n";
-  if (!plot.x_range.empty()) script += "set xrange " + plot.x_range + "\n";
-  if (!plot.y_range.empty()) script += "set yrange " + plot.y_range + "\n";
+  for (const auto& [axis, range] : {std::pair{'x', plot.x_range}, std::pair{'y', plot.y_range}}) {
+    if (is_given(range)) script += fmt::format("set {}range [{}:{}]\n", axis, range[0], range[1]);
+  }
+  if (is_given(plot.x_range) && is_given(plot.y_range)) script += "set key off\n" + names_at_lines(plot);
   for (const std::string& command : plot.more) script += command + "\n";
   std::string plots;
   for (std::size_t i = 0; i < plot.series.size(); ++i) {

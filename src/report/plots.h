@@ -4,6 +4,7 @@
 // plot, and no two solvers share all three. Throws std::runtime_error with gnuplot's own words when it fails.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <utility>
@@ -58,8 +59,9 @@ struct Plot {
   std::string y_label;
   bool log_x = true;
   bool log_y = true;
-  std::string x_range = "";  // gnuplot's, such as "[1:1e5]"; empty: automatic
-  std::string y_range = "";
+  std::array<double, 2>
+      x_range{};  // none: automatic. With both, each line's name stands at the line, and there is no key
+  std::array<double, 2> y_range{};
   std::vector<std::string> more{};  // further gnuplot commands
   std::vector<Series> series{};
 };

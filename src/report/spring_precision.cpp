@@ -152,7 +152,7 @@ void spring_precision(Draft& draft) {
   draft.keep("cheapest_springs", cheapest_table(springs));
   draft.plot("work_precision_springs",
              work_precision_plot(draft.runs, {Problem::springs},
-                                 "largest error, half diagonals, from the springs' own motion", "1e-11"));
+                                 "largest error, half diagonals, from the springs' own motion", 1e-11));
 
   draft.say("the rigid motion");
   const Course course{60, effort.quick ? 100.0 : 600.0, 16.0};
@@ -166,7 +166,7 @@ void spring_precision(Draft& draft) {
         .error;
   };
   Plot plot = work_precision_plot(draft.runs, {Problem::soft_springs, Problem::stiff_springs},
-                                  "largest distance, half diagonals, from the rigid motion", "1e-5");
+                                  "largest distance, half diagonals, from the rigid motion", 1e-5);
   for (const auto& [k, ladders] : {std::pair{10, &soft}, std::pair{1000, &stiff}}) {
     if (const double error = floor_of(*ladders); error != none)
       plot.more.push_back(fmt::format("set label 'k = {}' at graph 0.99, first {} right offset 0,0.7", k, error));

@@ -92,11 +92,12 @@ void error_over_time(Draft& draft, const RigidCase& c) {
   const double second = first + motion.flip_period();
   const double between = first + 0.1 * motion.flip_period();
   Plot plot{"time", "angle to the true orientation, radians", false, true};
-  plot.y_range = "[1e-16:10]";
+  plot.y_range = {1e-16, 10.0};
   for (const double flip : {first, second})
     plot.more.push_back(fmt::format("set arrow from {0}, graph 0 to {0}, graph 1 nohead lc rgb '#000000' dt 2", flip));
   Table table{{"time"}, {}};
   const int samples = static_cast<int>(1.2 * second / interval);
+  plot.x_range = {0.0, samples * interval};
   for (int i = 1; i <= samples; ++i) table.rows.push_back({i * interval});
   double after_first = none;
   double at_second = none;
@@ -173,10 +174,10 @@ std::vector<RigidCase> read_rigid_cases(const std::filesystem::path& reference) 
 }
 
 Plot work_precision_plot(const Runs& runs, const std::vector<Problem>& problems, const std::string& y_label,
-                         const std::string& lowest) {
+                         double lowest) {
   constexpr double fall_back = 20.0;  // where runs without an error are shown
   Plot plot{"CPU nanoseconds for one unit of simulated time", y_label};
-  plot.y_range = fmt::format("[{}:60]", lowest);
+  plot.y_range = {lowest, 60.0};
   plot.more = {fmt::format("set ytics add ('diverged' {})", fall_back)};
   double least = none;
   double most = 0.0;
@@ -184,10 +185,9 @@ Plot work_precision_plot(const Runs& runs, const std::vector<Problem>& problems,
     for (const auto& [solver, ladder] : runs.at(problem)) {
       const auto finished = [](const Run& run) { return run.outcome == Outcome::finished; };
       const auto error = [](const Run& run) { return std::max(run.error, 1e-16); };
-      const bool single = solver == exact_solver;
       plot.series.push_back({problem == problems.front() ? name_of(solver) : "",
                              points(ladder, finished, &Run::ns_per_time, error), pen_of(solver),
-                             single ? Mark::points : Mark::line_and_points});
+                             solver == exact_solver ? Mark::points : Mark::line_and_points});
       plot.series.push_back(
           {"", points(ladder, std::not_fn(finished), &Run::ns_per_time, [](const Run& /*run*/) { return fall_back; }),
            pen_of(solver), Mark::cross});
@@ -195,12 +195,9 @@ Plot work_precision_plot(const Runs& runs, const std::vector<Problem>& problems,
         least = std::min(least, run.ns_per_time);
         most = std::max(most, run.ns_per_time);
       }
-      if (single)
-        plot.more.push_back(fmt::format("set label 'exact' at {}, {} left offset 1,0", ladder.front().ns_per_time,
-                                        error(ladder.front())));
     }
   }
-  plot.x_range = fmt::format("[{}:{}]", 0.7 * least, 1.4 * most);
+  plot.x_range = {0.7 * least, 1.4 * most};
   return plot;
 }
 
@@ -212,7 +209,7 @@ void work_precision(Draft& draft) {
     const Ladders& ladders = draft.runs[c.problem] = all_ladders(c, effort);
     draft.keep("cheapest_" + c.letter, cheapest_table(ladders));
     draft.plot("work_precision_" + c.letter,
-               work_precision_plot(draft.runs, {c.problem}, "largest error, radians", "1e-16"));
+               work_precision_plot(draft.runs, {c.problem}, "largest error, radians", 1e-16));
     const auto [stepper, nearest] = nearest_stepper(ladders);
     const double turns = c.T * c.options().omega_W.norm() / (2.0 * std::numbers::pi);
     const double flip = motion_of(c).flip_period();
