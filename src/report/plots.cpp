@@ -82,8 +82,8 @@ std::string names_at_lines(const Plot& plot) {
     std::string label;
     double most = -none;
     for (const auto& point : series.points) {
-      for (const double side : {1.0, -1.0}) {
-        const Box name{place(point) + Eigen::Array2d(side * (half.x() + 9.0), 9.0), half};
+      for (const auto& [side, rise] : {std::pair{1, 1}, {-1, 1}, {1, -1}, {-1, -1}}) {
+        const Box name{place(point) + Eigen::Array2d(side * (half.x() + 9.0), rise * 10.0), half};
         const bool inside = (name.middle - half).minCoeff() > 0.0 && name.middle.x() + half.x() < 850.0;
         double room = inside ? none : -1e3;
         for (const Box& other : taken) {
@@ -94,10 +94,11 @@ std::string names_at_lines(const Plot& plot) {
         if (room <= most) continue;
         most = room;
         best = name;
-        label = fmt::format("at {}, {} {} offset character {}, 0.6", point.first, point.second,
-                            side > 0.0 ? "left" : "right", 0.9 * side);
+        label = fmt::format("at {}, {} {} offset character {}, {}", point.first, point.second,
+                            side > 0 ? "left" : "right", 0.9 * side, rise > 0 ? 0.6 : -0.6);
       }
     }
+    if (most < -3.0) continue;  // no room: its color says what it is
     taken.push_back(best);
     labels += fmt::format("set label {} {} noenhanced font ',13' tc rgb '{}'\n", quoted(series.title), label,
                           series.pen.color);
