@@ -65,7 +65,7 @@ const std::vector<Command> commands{
      write_trajectory,
      "Example:\n  bookspin trajectory videos/fig09_matrix.toml --set clip.substeps=300 -o fine.csv"},
     {"page",
-     "Write the page of the films in a folder beside them, index.html",
+     "Write the page of the films in a folder beside them, index.html, and their captions",
      {site_folder, assets_option},
      make_page,
      "Example:\n  bookspin page films"},

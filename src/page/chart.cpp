@@ -196,6 +196,7 @@ Json panel_of(const FilmRecord& film, const std::string& names) {
   panel["high"] = axis.high;
   panel["log"] = axis.log;
   panel["ticks"] = ticks_of(axis);
+  panel["tick_unit"] = panel["unit"] == "%" ? " %" : panel["unit"] == "°" ? "°" : "";
   panel["many"] = curves.size() > 1;
   panel["heading"] = many_books ? title : "";
   panel["curves"] = Json::array();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <numbers>
 
@@ -15,14 +16,13 @@ using Book = FilmRecord::Book;
 using Cue = FilmRecord::Cue;
 using Frames = std::vector<bool>;  // one a frame of the clip: whether it holds there
 
-constexpr double readable = 1.0;   // seconds that a cue stands at least
-constexpr double longest = 5.0;    // seconds
-constexpr double vibration = 0.5;  // seconds that a book out of shape stays so, whatever it vibrates through
+constexpr double readable = 1.0;           // seconds that a cue stands at least
+constexpr double longest = 5.0;            // seconds
+constexpr double vibration_seconds = 0.5;  // of the film, a period of any vibration and more
 
-// What may hold of a book: said of the only one, and of those that are named.
+// What may hold of a book. Every sentence begins with "The book".
 struct Statement {
-  std::string one;
-  std::string many;
+  std::string sentence;
   std::function<Frames(const Book&)> where;
 };
 
@@ -65,8 +65,8 @@ std::vector<Turn> turns_of(const std::vector<double>& tilt) {
   return turns;
 }
 
-Statement turned(Turn turn, const char* one, const char* many) {
-  return {one, many, [turn](const Book& book) {
+Statement turned(Turn turn, const char* sentence) {
+  return {sentence, [turn](const Book& book) {
             const auto tilt = book.data.find("tilt");
             if (tilt == book.data.end()) return Frames();
             const std::vector<Turn> turns = turns_of(tilt->second);
@@ -75,65 +75,58 @@ Statement turned(Turn turn, const char* one, const char* many) {
           }};
 }
 
-Statement at_least(const char* quantity, double bound, const char* one, const char* many) {
-  return {one, many, [=](const Book& book) { return where(book, quantity, [=](double v) { return v >= bound; }); }};
+Statement at_least(const char* quantity, double bound, const char* sentence) {
+  return {sentence, [=](const Book& book) { return where(book, quantity, [=](double v) { return v >= bound; }); }};
 }
 
-Statement at_most(const char* quantity, double bound, const char* one, const char* many) {
-  return {one, many, [=](const Book& book) { return where(book, quantity, [=](double v) { return v <= bound; }); }};
+Statement at_most(const char* quantity, double bound, const char* sentence) {
+  return {sentence, [=](const Book& book) { return where(book, quantity, [=](double v) { return v <= bound; }); }};
+}
+
+// A book that vibrates passes through its shape, and is out of it all the same.
+Frames out_of_shape(const Book& book, int frames_after) {
+  int since = frames_after + 1;
+  return where(book, "stretch", [&](double v) {
+    since = v >= 0.1 ? 0 : since + 1;
+    return since <= frames_after;
+  });
 }
 
 // What begins together is told in this order.
 std::vector<Statement> statements_for(const FilmRecord& film) {
+  const int vibration = static_cast<int>(vibration_seconds * film.fps);
   std::vector<Statement> all{
-      turned(steady, "The book spins steadily about its axis.", "spinning steadily"),
-      turned(turning_over, "The book is turning over.", "turning over"),
-      turned(over, "The book has turned over.", "turned over"),
-      turned(turning_back, "The book is turning back.", "turning back"),
-      turned(back, "The book has turned back.", "turned back"),
-      at_least("energy_ratio", 2.0, "The book has twice its energy and more.", "with twice the energy"),
-      at_least("energy_ratio", 10.0, "The book has ten times its energy and more.", "with ten times the energy"),
-      at_least("energy_ratio", 100.0, "The book has a hundred times its energy and more.",
-               "with a hundred times the energy"),
-      at_most("angular_momentum_ratio", 0.5, "The book slows down: half of its angular momentum is lost.",
-              "slower, half of the angular momentum lost"),
-      at_most("angular_momentum_ratio", 0.1, "Nine tenths of the book’s angular momentum are lost.",
-              "nine tenths of the angular momentum lost"),
-      at_least("angle_error", std::numbers::pi / 2.0, "The book is a right angle and more away from the exact motion.",
-               "a right angle and more from the exact motion"),
+      turned(steady, "The book spins steadily about its axis."),
+      turned(turning_over, "The book is turning over."),
+      turned(over, "The book has turned over."),
+      turned(turning_back, "The book is turning back."),
+      turned(back, "The book has turned back."),
+      at_least("energy_ratio", 2.0, "The book has twice its energy and more."),
+      at_least("energy_ratio", 10.0, "The book has ten times its energy and more."),
+      at_least("energy_ratio", 100.0, "The book has a hundred times its energy and more."),
+      at_most("angular_momentum_ratio", 0.5, "The book slows down: half of its angular momentum is lost."),
+      at_most("angular_momentum_ratio", 0.1, "The book has lost nine tenths of its angular momentum."),
+      at_least("angle_error", std::numbers::pi / 2.0, "The book is a right angle and more away from the exact motion."),
+      {"The book is out of shape: lengths change by a tenth and more.",
+       [=](const Book& book) { return out_of_shape(book, vibration); }},
   };
-  all.push_back({"The book is out of shape: lengths change by a tenth and more.", "out of shape by a tenth and more",
-                 [&film](const Book& book) {
-                   const Frames out = where(book, "stretch", [](double v) { return v >= 0.1; });
-                   const int window = static_cast<int>(vibration * film.fps);
-                   Frames near = out;
-                   int since = window + 1;  // it was out of shape
-                   for (std::size_t n = 0; n < out.size(); ++n) {
-                     since = out[n] ? 0 : since + 1;
-                     near[n] = since <= window;
-                   }
-                   return near;
-                 }});
   double most = 0.0;
   for (const Book& book : film.books) {
     const auto counts = book.data.find("pulsations");
-    if (counts != book.data.end())
-      most = std::max(most, *std::max_element(counts->second.begin(), counts->second.end()));
+    if (counts != book.data.end() && book.method != "springs") most = std::max(most, std::ranges::max(counts->second));
   }
   for (int count = 1; count <= most; ++count) {
-    const std::string times = count == 1 ? "once" : fmt::format("{} times", count);
-    all.push_back({fmt::format("The book has swollen and shrunk {}.", times), "swollen and shrunk " + times,
-                   [count](const Book& book) {
+    const std::string times = count == 1 ? "once" : count == 2 ? "twice" : fmt::format("{} times", count);
+    all.push_back({fmt::format("The book has swollen and shrunk {}.", times), [count](const Book& book) {
                      // Springs do so too, but too fast for words.
                      return where(book, "pulsations", [&](double v) { return v == count && book.method != "springs"; });
                    }});
   }
-  all.push_back(
-      {"The book has exploded: a corner is twice as far out as at rest.", "exploded", [&film](const Book& book) {
-         Frames frames(static_cast<std::size_t>(film.frames));
-         std::fill(frames.begin() + book.exploded_frame.value_or(film.frames), frames.end(), true);
-         return frames;
-       }});
+  all.push_back({"The book has exploded: a corner is twice as far out as at rest.", [&film](const Book& book) {
+                   Frames frames(static_cast<std::size_t>(film.frames));
+                   std::fill(frames.begin() + book.exploded_frame.value_or(film.frames), frames.end(), true);
+                   return frames;
+                 }});
   return all;
 }
 
@@ -181,9 +174,10 @@ std::vector<Cue> found_in(const FilmRecord& film) {
   std::vector<Cue> cues;
   for (const Run& run : told) {
     const int end = std::min(run.end, run.first + static_cast<int>(longest * film.fps));
-    cues.push_back({run.first, end,
-                    film.books.size() == 1 ? run.statement->one
-                                           : fmt::format("{}: {}.", fmt::join(run.who, ", "), run.statement->many)});
+    cues.push_back({run.first, end, run.statement->sentence});
+    if (film.books.size() == 1) continue;
+    const char* subject = run.who.size() == 1 ? "the book" : "each book";
+    cues.back().text.replace(0, std::strlen("The book"), fmt::format("{}: {}", fmt::join(run.who, ", "), subject));
   }
   return cues;
 }

@@ -77,8 +77,16 @@ TEST(Cues, BooksAmongOthersGoByNameOrMethod) {
   film["books"] = {a_book("about x", 60), a_book("", 60)};
   for (json& book : film["books"]) book["data"].erase("energy_ratio");
   film["books"][1]["data"]["tilt"][10] = 0.0;
-  EXPECT_THAT(told(film),
-              ElementsAre("0-10 about x, matrix: spinning steadily.", "11-60 about x, matrix: turned over."));
+  EXPECT_THAT(told(film), ElementsAre("0-10 about x, matrix: each book spins steadily about its axis.",
+                                      "11-60 about x, matrix: each book has turned over."));
+}
+
+TEST(Cues, OneAmongOthersIsTheBook) {
+  json film = still_film(20);
+  film["books"] = {film["books"][0], film["books"][0]};
+  film["books"][1]["name"] = "tipped";
+  film["books"][1]["data"]["tilt"][0] = 20.0;
+  EXPECT_THAT(told(film), ElementsAre("0-20 matrix: the book spins steadily about its axis."));
 }
 
 TEST(Cues, AScriptsOwnReplaceThem) {
@@ -126,6 +134,7 @@ bool is_true(const std::string& text, const BookTrack& track, int frame) {
   if (says("ine tenths of")) return at(Q::angular_momentum_ratio) <= 0.1;
   if (says("right angle")) return at(Q::angle_error) >= 1.5707;
   if (says("shrunk once")) return at(Q::pulsations) == 1.0;
+  if (says("shrunk twice")) return at(Q::pulsations) == 2.0;
   if (says("swollen")) return says(fmt::format(" {} times", at(Q::pulsations)).c_str());
   if (says("out of shape")) {  // or was, within half a second: a vibration
     for (int n = std::max(frame - 30, 0); n <= frame; ++n) {
