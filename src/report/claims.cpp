@@ -140,9 +140,13 @@ const char* verdict_of(const toml::table& claim, Facts& facts) {
     return rule->second(facts);
   }
   if (facts.found.empty()) return not_measured;
+  const toml::array* words = claim["otherwise"].as_array();
+  if (words == nullptr || words->size() != facts.found.size())
+    throw std::runtime_error(fmt::format("claims.toml: \"{}\": otherwise: needs {} words, one for each bound",
+                                         claim["claim"].value_or(""), facts.found.size()));
   const char* verdict = supported;
   for (std::size_t i = 0; i < facts.found.size(); ++i) {
-    const std::string otherwise = claim["otherwise"][i].value_or("");
+    const std::string otherwise = (*words)[i].value_or("");
     if (!facts.found[i].met && !otherwise.empty() && verdict != refuted)
       verdict = otherwise == refuted ? refuted : limited;
   }

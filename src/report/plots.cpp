@@ -84,7 +84,7 @@ std::string names_at_lines(const Plot& plot) {
     for (const auto& point : series.points) {
       for (const auto& [side, rise] : {std::pair{1, 1}, {-1, 1}, {1, -1}, {-1, -1}}) {
         const Box name{place(point) + Eigen::Array2d(side * (half.x() + 9.0), rise * 10.0), half};
-        const bool inside = (name.middle - half).minCoeff() > 0.0 && name.middle.x() + half.x() < 850.0;
+        const bool inside = (name.middle - half).minCoeff() > 8.0 && name.middle.x() + half.x() < 850.0;
         double room = inside ? none : -1e3;
         for (const Box& other : taken) {
           const bool own = (other.middle - place(point)).abs().maxCoeff() < 1.0;

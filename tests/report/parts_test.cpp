@@ -231,6 +231,21 @@ TEST(Plots, LeaveOutWhatIsNotFinite) {
   EXPECT_THAT(svg, testing::Not(HasSubstr("nothing")));
 }
 
+TEST(Plots, ALinesNameStandsAtItWhereThereIsRoom) {
+  Plot plot{"x", "y"};
+  plot.x_range = {1.0, 100.0};
+  plot.y_range = {1.0, 100.0};
+  const Points here{{10.0, 10.0}};
+  plot.series = {{"above", {{10.0, 50.0}}, {}, Mark::points}};
+  for (const char* name : {"first one here", "second one here", "third one here", "fourth one here", "fifth one here"})
+    plot.series.push_back({name, here, {}, Mark::points});
+  plot.series.push_back({"", {{30.0, 3.0}}, {}, Mark::points});
+  const std::string svg = svg_of("a.svg", plot);
+  for (const char* name : {"<text>above<", "<text>first one here<", "<text>fourth one here<"})
+    EXPECT_THAT(svg, HasSubstr(name));
+  EXPECT_THAT(svg, testing::Not(HasSubstr("<text>fifth one here<")));  // on each side of the point there is one already
+}
+
 TEST(Plots, AMissingGnuplotIsNamedWithItsPackage) {
   const Scratch scratch;
   const std::string path = std::getenv("PATH");
