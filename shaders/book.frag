@@ -4,10 +4,11 @@
 // that would cost as much as all the rest.
 
 uniform sampler2D picture;
+uniform float brightness;
 
 in vec2 place;
 in vec3 light;  // encoded
 in vec3 gloss;  // added to the encoded color
 out vec4 color;
 
-void main() { color = vec4(texture(picture, place).rgb * light + gloss, 1.0); }
+void main() { color = vec4((texture(picture, place).rgb * light + gloss) * brightness, 1.0); }

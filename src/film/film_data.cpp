@@ -26,17 +26,21 @@ Json read_json(const fs::path& file) {
 }
 
 Json made_with(const Film& film) {
-  return {{"width", film.width}, {"height", film.height}, {"set", film.overrides}, {"drawn_by", film.drawn_by}};
+  return {{"width", film.width},
+          {"height", film.height},
+          {"frames", {film.first_frame, film.end_frame}},
+          {"set", film.overrides},
+          {"drawn_by", film.drawn_by}};
 }
 
-Json clip_of(const Film& film) {
+Json clip_of(const Film& film, int drawn_frames) {
   const Clip& clip = film.scene.clip;
   return {{"frames", clip.frames},
           {"fps", clip.fps},
           {"time_per_frame", clip.time_per_frame},
           {"substeps", clip.substeps},
           {"first_frame", film.first_frame},
-          {"drawn_frames", film.frames()}};
+          {"drawn_frames", drawn_frames}};
 }
 
 Json fingerprints(const Film& film, const fs::path& mp4, const fs::path& poster) {
@@ -70,7 +74,7 @@ Json as_json(const FilmData& data) {
   json["poster"] = data.poster.file().filename().string();
   json["made_with"] = made_with(film);
   json["fingerprints"] = fingerprints(film, data.mp4 == nullptr ? "" : data.mp4->path(), data.poster.path());
-  json["clip"] = clip_of(film);
+  json["clip"] = clip_of(film, data.drawn_frames);
   json["met"] = std::all_of(data.verdicts.begin(), data.verdicts.end(), [](const Verdict& v) { return v.met; });
   json["expectations"] = Json::array();
   for (const Verdict& v : data.verdicts) {
@@ -137,7 +141,6 @@ bool is_up_to_date(const Film& film, const Products& products) try {
   const Json wanted{{"format", film_format},
                     {"made_with", made_with(film)},
                     {"fingerprints", fingerprints(film, products.film, products.poster)},
-                    {"clip", clip_of(film)},
                     {"met", true},
                     {"script", film.script}};
   for (const auto& [key, value] : wanted.items()) {

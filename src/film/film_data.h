@@ -3,10 +3,11 @@
 //   format                        "bookspin film 1"
 //   title, caption, script        as in the scene script (script: its whole text)
 //   film, poster                  file names beside this one (film: absent for a still)
-//   made_with                     width and height in pixels; set: the overrides, as given; drawn_by: the fingerprint
-//                                 of shaders, textures, fonts and source
+//   made_with                     width and height in pixels; frames: [first, end) as asked for; set: the overrides, as
+//                                 given; drawn_by: the fingerprint of shaders, textures, fonts and source
 //   fingerprints                  of the bytes of film and poster
-//   clip                          frames, fps, time_per_frame, substeps; first_frame and drawn_frames: what is filmed
+//   clip                          frames, fps, time_per_frame, substeps; first_frame and drawn_frames: what is filmed; fewer than
+//                                 asked for when every book has exploded
 //   met                           true when every expectation is met
 //   expectations                  says, quantity, text, met, found, frame: one for each bound
 //   cues                          captions of the script's own: says, first_frame, end_frame (the first without it)
@@ -33,6 +34,7 @@ struct FilmData {
   const Film& film;
   const Trajectory& trajectory;
   const std::vector<Verdict>& verdicts;
+  int drawn_frames;
   const Part* mp4;  // complete; nullptr: a still
   const Part& poster;
 };

@@ -12,14 +12,14 @@ namespace bookspin {
 namespace {
 
 constexpr std::array axis_colors{palette::orange, palette::sky, palette::green};
-constexpr int trace_frames = 240;      // how long the trace stays, fading
-constexpr double trace_length = 1.25;  // all lengths in those of half the book's diagonal
-constexpr double arrow_length = 1.4;
+constexpr std::size_t trace_frames = 240;  // how long the trace stays, fading
+constexpr double trace_length = 1.1;       // all lengths in those of half the book's diagonal
+constexpr double arrow_length = 1.25;
 constexpr double axis_beyond_cover = 0.42;
-constexpr double full_strain = 0.1;  // a spring longer by this share has the full color
+constexpr double full_strain = 0.05;  // a spring longer by this share has the full color
 
-void add_axes(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame) {
-  const BookFrame& now = track.shown(frame);
+void add_axes(Shot& shot, const BookSetup& setup, const BookTrack& track, std::size_t frame) {
+  const BookFrame& now = track.frames[frame];
   const double unit = body_of(setup.options).reach;
   const Eigen::Matrix3d F_WB = deformation(now.corners_W, body_of(setup.options).corners_B);
   for (int d = 0; d < 3; ++d) {
@@ -27,42 +27,48 @@ void add_axes(Shot& shot, const BookSetup& setup, const BookTrack& track, int fr
     const Eigen::Vector3d surface_W = F_WB.col(d) * (0.5 * setup.options.size(d));
     const Eigen::Vector3d out_W = F_WB.col(d).normalized();
     const Eigen::Vector3d tip_W = surface_W + out_W * (axis_beyond_cover * unit);
-    shot.arrows.push_back({setup.position_W, setup.position_W + tip_W, color, 0.022 * unit});
+    shot.arrows.push_back({Eigen::Vector3d::Zero(), tip_W, color, 0.022 * unit});
     Label name = make_label(std::string(1, "xyz"[d]), 0.07, color, {0.0, 0.02});
     name.weight = Weight::semibold;
-    name.anchor_W = setup.position_W + tip_W + out_W * (0.14 * unit);
+    name.anchor_W = tip_W + out_W * (0.14 * unit);
     shot.labels.push_back(name);
   }
 }
 
-void add_arrow(Shot& shot, const BookSetup& setup, const Eigen::Vector3d& vector, double full, const Color& color,
-               const char* name, double below) {
+// The arrow, and as a line how long it was at the start.
+void add_arrow(Shot& shot, const BookSetup& setup, const Eigen::Vector3d& vector, const Eigen::Vector3d& start,
+               const Color& color, const char* name, double beside) {
+  if (!(start.norm() > 0.0)) return;
   const double unit = body_of(setup.options).reach;
-  if (!(full > 0.0)) return;
-  const Eigen::Vector3d tip_W = vector * (arrow_length * unit / full);
-  shot.arrows.push_back({setup.position_W, setup.position_W + tip_W, color, 0.02 * unit});
-  Label label = make_label(name, 0.05, color, {0.0, below});
+  const Eigen::Vector3d tip_W = vector * (arrow_length * unit / start.norm());
+  shot.arrows.push_back({Eigen::Vector3d::Zero(), tip_W, color, 0.02 * unit});
+  Color pale = color;
+  pale.a = 130;
+  shot.lines.push_back({Eigen::Vector3d::Zero(), start.normalized() * (arrow_length * unit), pale, 2.0});
+  Label label = make_label(name, 0.05, color, {beside, 0.015});
   label.weight = Weight::semibold;
-  label.anchor_W = setup.position_W + tip_W + vector.normalized() * (0.12 * unit);
+  label.anchor_W = tip_W;
   shot.labels.push_back(label);
 }
 
-// The two arrows often point the same way: one name stands above its tip, one below.
-void add_angular_velocity(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame) {
-  add_arrow(shot, setup, track.shown(frame).omega_W, track.frames.front().omega_W.norm(), palette::sky, "ω", -0.01);
+// The two arrows often point the same way: one name stands left of its tip, one right.
+void add_angular_velocity(Shot& shot, const BookSetup& setup, const BookTrack& track, std::size_t frame) {
+  add_arrow(shot, setup, track.frames[frame].omega_W, track.frames.front().omega_W, palette::sky, "ω", -0.04);
 }
 
-void add_angular_momentum(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame) {
-  add_arrow(shot, setup, track.shown(frame).L_W, track.frames.front().L_W.norm(), palette::purple, "L", 0.045);
+void add_angular_momentum(Shot& shot, const BookSetup& setup, const BookTrack& track, std::size_t frame) {
+  add_arrow(shot, setup, track.frames[frame].L_W, track.frames.front().L_W, palette::purple, "L", 0.04);
 }
 
-void add_trace(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame) {
-  const Eigen::Vector3d axis_B = setup.options.omega_W.normalized() * (trace_length * body_of(setup.options).reach);
-  const auto tip_W = [&](int n) { return Eigen::Vector3d(setup.position_W + track.shown(n).q_WB * axis_B); };
-  const int first = std::max(0, frame - trace_frames);
-  for (int n = first; n < frame; ++n) {
+// The spin axis as an arrow, and the way of its tip.
+void add_trace(Shot& shot, const BookSetup& setup, const BookTrack& track, std::size_t frame) {
+  const double unit = body_of(setup.options).reach;
+  const Eigen::Vector3d axis_B = setup.options.omega_W.normalized() * (trace_length * unit);
+  const auto tip_W = [&](std::size_t n) { return Eigen::Vector3d(track.frames[n].q_WB * axis_B); };
+  shot.arrows.push_back({Eigen::Vector3d::Zero(), tip_W(frame), palette::yellow, 0.016 * unit});
+  for (std::size_t n = frame - std::min(frame, trace_frames); n < frame; ++n) {
     Color color = palette::yellow;
-    color.a = static_cast<std::uint8_t>(std::lround(255.0 * (n + 1 - frame + trace_frames) / trace_frames));
+    color.a = static_cast<std::uint8_t>(255 * (n + 1 + trace_frames - frame) / trace_frames);
     shot.lines.push_back({tip_W(n), tip_W(n + 1), color, 2.5});
   }
 }
@@ -71,8 +77,8 @@ std::uint8_t mix(std::uint8_t from, std::uint8_t to, double share) {
   return static_cast<std::uint8_t>(std::lround(from + (to - from) * share));
 }
 
-void add_springs(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame) {
-  const BookFrame& now = track.shown(frame);
+void add_springs(Shot& shot, const BookSetup& setup, const BookTrack& track, std::size_t frame) {
+  const BookFrame& now = track.frames[frame];
   const Corners corners_B = body_of(setup.options).corners_B;
   for (int i = 0; i < 8; ++i) {
     for (int j = i + 1; j < 8; ++j) {
@@ -82,36 +88,35 @@ void add_springs(Shot& shot, const BookSetup& setup, const BookTrack& track, int
       const double share = std::min(1.0, std::abs(strain) / full_strain);
       const Color color{mix(palette::light.r, full.r, share), mix(palette::light.g, full.g, share),
                         mix(palette::light.b, full.b, share), 255};
-      shot.lines.push_back(
-          {setup.position_W + now.corners_W.col(i), setup.position_W + now.corners_W.col(j), color, 2.0});
+      shot.lines.push_back({now.corners_W.col(i), now.corners_W.col(j), color, 3.0});
     }
   }
 }
 
 void add_ghost(Shot& shot, const BookSetup& setup, const Eigen::Quaterniond& q_WB) {
   const Corners corners_W = q_WB.toRotationMatrix() * body_of(setup.options).corners_B;
-  shot.books.push_back({corners_W.colwise() + setup.position_W, BookStyle::ghost});
+  shot.books.push_back({corners_W, BookStyle::ghost});
 }
 
-void add_exact(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame) {
-  add_ghost(shot, setup, track.frames[static_cast<std::size_t>(frame)].exact_q_WB);
+void add_exact(Shot& shot, const BookSetup& setup, const BookTrack& track, std::size_t frame) {
+  add_ghost(shot, setup, track.frames[frame].exact_q_WB);
 }
 
-void add_unrotated(Shot& shot, const BookSetup& setup, const BookTrack&, int) {
+void add_unrotated(Shot& shot, const BookSetup& setup, const BookTrack&, std::size_t) {
   add_ghost(shot, setup, Eigen::Quaterniond::Identity());
 }
 
 struct Drawing {
   Overlay id;
-  void (*add)(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame);
+  void (*add)(Shot& shot, const BookSetup& setup, const BookTrack& track, std::size_t frame);
   double reach;  // from the book's center in any frame, its label too; as_its_labels: as far as those, frame by frame
 };
 
 constexpr double as_its_labels = -1.0;
 
 constexpr std::array drawings{Drawing{Overlay::axes, add_axes, as_its_labels},
-                              Drawing{Overlay::angular_velocity, add_angular_velocity, arrow_length + 0.2},
-                              Drawing{Overlay::angular_momentum, add_angular_momentum, arrow_length + 0.2},
+                              Drawing{Overlay::angular_velocity, add_angular_velocity, arrow_length + 0.1},
+                              Drawing{Overlay::angular_momentum, add_angular_momentum, arrow_length + 0.1},
                               Drawing{Overlay::trace, add_trace, trace_length + 0.02},
                               Drawing{Overlay::springs, add_springs, 0.0},
                               Drawing{Overlay::exact, add_exact, 1.0},
@@ -138,7 +143,7 @@ Label make_label(const std::string& text, double height, const Color& color, con
   return label;
 }
 
-void add_overlays(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame) {
+void add_overlays(Shot& shot, const BookSetup& setup, const BookTrack& track, std::size_t frame) {
   for (const Overlay overlay : setup.show) drawing(overlay).add(shot, setup, track, frame);
 }
 
@@ -149,11 +154,11 @@ std::vector<Sphere> overlay_reach(const BookSetup& setup, const BookTrack& track
   for (const Overlay overlay : setup.show) {
     const double reach = drawing(overlay).reach;
     labels_decide = labels_decide || reach == as_its_labels;
-    if (reach > 0.0) spheres.push_back({setup.position_W, reach * unit});
+    if (reach > 0.0) spheres.push_back({Eigen::Vector3d::Zero(), reach * unit});
   }
   for (std::size_t n = 0; labels_decide && n < track.frames.size(); ++n) {
     Shot shot;
-    add_overlays(shot, setup, track, static_cast<int>(n));
+    add_overlays(shot, setup, track, n);
     for (const Label& label : shot.labels) spheres.push_back({*label.anchor_W, 0.12 * unit});
   }
   return spheres;

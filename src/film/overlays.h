@@ -1,8 +1,8 @@
 // What a script can have drawn with a book, as things of a Shot: arrows, the trace of the spin axis, springs, ghosts, labels.
 //
 // Lengths follow the book: an arrow of full length reaches beyond its corners. The angular momentum's is in proportion
-// to its length at the start, and so is the angular velocity's: one that shrinks is seen to shrink. All positions are
-// in the world frame. A new overlay is a word in Overlay and its name (scene/scene.h), and a function and a row here in
+// to its length at the start, and so is the angular velocity's: one that shrinks is seen to shrink. All is in the world
+// frame, about the book's own center. A new overlay is a word in Overlay and its name (scene/scene.h), and a function and a row here in
 // overlays.cpp.
 #pragma once
 
@@ -18,8 +18,8 @@ namespace bookspin {
 [[nodiscard]] Label make_label(const std::string& text, double height, const Color& color,
                                const Eigen::Vector2d& position, Align align = Align::center);
 
-// Everything that setup.show asks for, at one film frame.
-void add_overlays(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame);
+// Everything that setup.show asks for, at one film frame, about the book's own center.
+void add_overlays(Shot& shot, const BookSetup& setup, const BookTrack& track, std::size_t frame);
 
 struct Sphere {
   Eigen::Vector3d center_W;

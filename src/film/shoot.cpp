@@ -48,8 +48,9 @@ FilmReceipt shoot(const Film& film, const fs::path& folder, Renderer& renderer, 
   if (mp4) {
     writer.emplace(*mp4, Mp4Writer::Settings{film.width, film.height, film.scene.clip.fps, film.scene.title});
   }
-  const int poster_frame = film.first_frame + film.frames() / 2;
-  for (int frame = film.first_frame; frame < film.end_frame; ++frame) {
+  const int end_frame = std::clamp(storyboard.frames(), film.first_frame + 1, film.end_frame);
+  const int poster_frame = (film.first_frame + end_frame) / 2;
+  for (int frame = film.first_frame; frame < end_frame; ++frame) {
     if (stop.stop_requested()) throw Stopped();
     const Image& picture = renderer.draw(storyboard.shot(frame));
     if (writer) writer->write(picture, renderer.changed());
@@ -57,7 +58,9 @@ FilmReceipt shoot(const Film& film, const fs::path& folder, Renderer& renderer, 
     ++progress.frames_drawn;
   }
   if (writer) writer->finish();
-  write_film_data(data, {film, trajectory, receipt.verdicts, mp4 ? &*mp4 : nullptr, poster});
+  progress.frames_drawn += film.end_frame - end_frame;  // those that need not be drawn
+  write_film_data(data,
+                  {film, trajectory, receipt.verdicts, end_frame - film.first_frame, mp4 ? &*mp4 : nullptr, poster});
 
   receipt.product = mp4 ? names.film : names.poster;
   receipt.bytes = fs::file_size(mp4 ? mp4->path() : poster.path());

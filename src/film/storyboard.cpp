@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "film/overlays.h"
 #include "image/color.h"
@@ -17,56 +16,68 @@ namespace bookspin {
 namespace {
 
 constexpr double vertical_fov = 0.5235987755982988;  // 30 degrees, as in the original program
-constexpr double margin = 1.04;                      // free space about the motion
-constexpr double middle_band = 0.88;                 // of the height: above it stands the title, below it the figures
-constexpr double lowest_line = 0.98;                 // base line of the figures, frame heights; a smaller band heeds it
-constexpr double name_offset = 1.16;                 // of a name below its book, in lengths of its half diagonal
-constexpr double left_edge = 0.03;                   // of the title and what stands below it, in frame widths
-constexpr double title_y = 0.07;                     // base line; this and all below in frame heights
+const double tan_half_fov = std::tan(vertical_fov / 2.0);
+constexpr double margin = 1.04;               // free space about the motion
+constexpr double healthy_extent = 1.25;       // of a book that explodes: up to here it is framed
+constexpr double exploded_brightness = 0.33;  // so large, and turning so fast, it would flash
+constexpr double dimming = 0.2;               // seconds
+constexpr double middle_band = 0.88;          // of the height: above it stands the title, below it the figures
+constexpr double lowest_line = 0.98;          // base line of the figures, frame heights; a smaller band heeds it
+constexpr double name_offset = 1.16;          // of a name below its book, in lengths of its half diagonal
+constexpr double left_edge = 0.03;            // of the title and what stands below it, in frame widths
+constexpr double title_y = 0.07;              // base line; this and all below in frame heights
 constexpr double title_height = 0.04;
 constexpr double name_height = 0.042;
 constexpr double figure_height = 0.035;
 constexpr double line_height = 0.05;
 constexpr double name_gap = 0.06;  // between texts below two books in a row, in those of their distance
 
-// The camera from which all spheres lie inside the four side planes of the picture.
-Camera camera_that_frames(const std::vector<Sphere>& spheres, const Eigen::Vector3d& from_W, double aspect,
-                          double band) {
-  Eigen::AlignedBox3d box;
-  for (const Sphere& s : spheres) box.extend(s.center_W);
-  Camera camera;
-  camera.vertical_fov = vertical_fov;
-  camera.target_W = box.center();
-  const Eigen::Matrix3d R_CW = camera_axes(from_W);
-  const Eigen::Vector3d back_W = R_CW.row(2).transpose();
-  const double tan_half = std::tan(vertical_fov / 2.0);
-  double distance = 0.0;
-  // Per direction: how far the spheres reach towards the two side planes that face along +-axis, were the eye at the
-  // target.
-  const auto frame_along = [&](const Eigen::Vector3d& axis_W, double half) {
-    const auto reach = [&](double sign) {
-      const Eigen::Vector3d outward_W = sign * std::cos(half) * axis_W + std::sin(half) * back_W;
-      double farthest = -std::numeric_limits<double>::infinity();
-      for (const Sphere& s : spheres) {
-        farthest = std::max(farthest, outward_W.dot(s.center_W - camera.target_W) + margin * s.radius);
+// A book's part of the picture.
+struct Stand {
+  Eigen::Vector2d place;        // of its center, right and up, world units
+  std::vector<Sphere> spheres;  // all that is to be seen of it, about its center
+};
+
+// What all stands take up in the picture when the eye is this far away: right and up, in tangents.
+Eigen::AlignedBox2d picture_of(const std::vector<Stand>& stands, const Eigen::Matrix3d& R_CW, double distance) {
+  Eigen::AlignedBox2d picture;
+  for (const Stand& stand : stands) {
+    for (const Sphere& sphere : stand.spheres) {
+      const Eigen::Vector3d center_C = R_CW * sphere.center_W;
+      const double depth = distance - center_C.z();
+      for (const double side : {-1.0, 1.0}) {
+        const auto edge = [&](int axis) {
+          const double half = std::asin(margin * sphere.radius / std::hypot(center_C(axis), depth));
+          return std::tan(std::atan2(center_C(axis), depth) + side * half) + stand.place(axis) / distance;
+        };
+        picture.extend(Eigen::Vector2d(edge(0), edge(1)));
       }
-      return farthest;
-    };
-    const double plus = reach(1.0);
-    const double minus = reach(-1.0);
-    camera.target_W += axis_W * ((plus - minus) / (2.0 * std::cos(half)));  // as much room on one side as on the other
-    distance = std::max(distance, (plus + minus) / (2.0 * std::sin(half)));
-  };
-  frame_along(R_CW.row(0).transpose(), std::atan(aspect * tan_half));
-  frame_along(R_CW.row(1).transpose(), std::atan(band * tan_half));
-  camera.eye_W = camera.target_W + distance * back_W;
-  return camera;
+    }
+  }
+  return picture;
+}
+
+// The least distance from which all stands are in the picture.
+double distance_that_frames(const std::vector<Stand>& stands, const Eigen::Matrix3d& R_CW, double aspect, double band) {
+  double near = 0.0;
+  for (const Stand& stand : stands) {
+    for (const Sphere& s : stand.spheres) near = std::max(near, 1.01 * (s.center_W.norm() + margin * s.radius));
+  }
+  const Eigen::Array2d room = 2.0 * tan_half_fov * Eigen::Array2d(aspect, band);
+  const auto fits = [&](double distance) { return (picture_of(stands, R_CW, distance).sizes().array() <= room).all(); };
+  double far = 2.0 * near;
+  while (!fits(far)) far *= 2.0;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = (near + far) / 2.0;
+    (fits(middle) ? far : near) = middle;
+  }
+  return far;
 }
 
 // Below the book in the picture: along the camera's down, not the world's.
 Eigen::Vector3d name_anchor_W(const Scene& scene, const BookSetup& setup) {
   const Eigen::Vector3d up_W = camera_axes(scene.view.from).row(1).transpose();
-  return setup.position_W - up_W * (name_offset * body_of(setup.options).reach);
+  return -up_W * (name_offset * body_of(setup.options).reach);
 }
 
 // "E/E₀ 1.003"
@@ -77,45 +88,72 @@ std::string head_up_text(const Quantity& q, double value) {
 }  // namespace
 
 Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, int width, int height)
-    : scene_(&scene), trajectory_(&trajectory) {
-  std::vector<Sphere> spheres;
-  last_moving_frame_ = 0;
+    : scene_(&scene), trajectory_(&trajectory), last_frames_(scene.books.size(), scene.clip.frames - 1) {
+  const Eigen::Matrix3d R_CW = camera_axes(scene.view.from);
+  std::vector<Stand> stands;
   for (std::size_t b = 0; b < scene.books.size(); ++b) {
     const BookSetup& setup = scene.books[b];
     const BookTrack& track = trajectory.books[b];
     const double unit = body_of(setup.options).reach;
-    last_moving_frame_ = std::max(last_moving_frame_, track.exploded_frame.value_or(scene.clip.frames));
     double farthest = 1.0;
-    for (int n = 0; n < scene.clip.frames; ++n) farthest = std::max(farthest, track.shown(n)[Q::extent]);
-    spheres.push_back({setup.position_W, farthest * unit});
-    if (!setup.name.empty()) spheres.push_back({name_anchor_W(scene, setup), 0.1 * unit});
-    const std::vector<Sphere> overlays = overlay_reach(setup, track);
-    spheres.insert(spheres.end(), overlays.begin(), overlays.end());
+    for (const BookFrame& f : track.frames) farthest = std::max(farthest, f[Q::extent]);
+    if (track.exploded_frame) farthest = std::min(farthest, healthy_extent);
+    stands.push_back({(R_CW * setup.position_W).head<2>(), overlay_reach(setup, track)});
+    stands.back().spheres.push_back({Eigen::Vector3d::Zero(), farthest * unit});
+    if (!setup.name.empty()) stands.back().spheres.push_back({name_anchor_W(scene, setup), 0.1 * unit});
   }
+
+  const double aspect = static_cast<double>(width) / height;
+  camera_.vertical_fov = vertical_fov;
   double lowest = 1.0;
   for (double band = middle_band; lowest > lowest_line && band > 0.3; band -= 0.02) {
-    camera_ = camera_that_frames(spheres, scene.view.from, static_cast<double>(width) / height, band);
+    const double distance = distance_that_frames(stands, R_CW, aspect, band);
+    camera_.eye_W = distance * R_CW.row(2).transpose();
+    const Eigen::Vector2d middle = picture_of(stands, R_CW, distance).center();
+    shifts_.clear();
+    for (const Stand& stand : stands) {
+      const Eigen::Vector2d place = stand.place / distance - middle;
+      shifts_.emplace_back(Eigen::Vector2d(place.x(), -place.y()) / (2.0 * tan_half_fov));
+    }
     lowest = 0.0;
     for (const Label& label : text(0)) {
       if (!label.anchor_W) continue;
       lowest = std::max(lowest, View(camera_, width, height).project(*label.anchor_W).y / height + label.position.y());
     }
   }
+
+  for (std::size_t b = 0; b < scene.books.size(); ++b) {
+    const std::vector<BookFrame>& frames = trajectory.books[b].frames;
+    const double too_near = camera_.eye_W.norm() / body_of(scene.books[b].options).reach;
+    const auto is_gone = [&](const BookFrame& f) {
+      return f.exploded() && !(f.corners_W.allFinite() && f[Q::extent] < too_near);
+    };
+    last_frames_[b] = static_cast<int>(std::find_if(frames.begin(), frames.end(), is_gone) - frames.begin()) - 1;
+  }
   fit_text(width, height);
+}
+
+int Storyboard::frames() const {
+  const int last = *std::max_element(last_frames_.begin(), last_frames_.end());
+  return std::min(scene_->clip.frames, last + 1 + scene_->clip.fps);
 }
 
 void Storyboard::fit_text(int width, int height) {
   TextPainter painter;
   const View view(camera_, width, height);
   // Below a book: to the picture's nearer edge, and half way to the next book of the row.
+  const auto place = [&](const Eigen::Vector3d& anchor_W, const Eigen::Vector2d& shift) {
+    const PixelPoint p = view.project(anchor_W);
+    return Eigen::Vector2d(p.x + shift.x() * height, p.y + shift.y() * height);
+  };
   const auto room = [&](const Label& label) {
     if (!label.anchor_W) return (1.0 - 2.0 * left_edge) * width;
-    const PixelPoint here = view.project(*label.anchor_W);
-    double half = std::min(here.x, width - here.x);
-    for (const BookSetup& other : scene_->books) {
-      const PixelPoint there = view.project(name_anchor_W(*scene_, other));
-      const double apart = std::abs(there.x - here.x);
-      const bool in_row = std::abs(there.y - here.y) < 3.0 * line_height * height;
+    const Eigen::Vector2d here = place(*label.anchor_W, label.position);
+    double half = std::min(here.x(), width - here.x());
+    for (std::size_t b = 0; b < shifts_.size(); ++b) {
+      const Eigen::Vector2d there = place(name_anchor_W(*scene_, scene_->books[b]), shifts_[b]);
+      const double apart = std::abs(there.x() - here.x());
+      const bool in_row = std::abs(there.y() - here.y()) < 3.0 * line_height * height;
       if (in_row && apart > 0.5 * line_height * height) half = std::min(half, 0.5 * apart);
     }
     return 2.0 * (1.0 - name_gap) * half;
@@ -135,11 +173,31 @@ Shot Storyboard::shot(int frame) const {
   Shot shot;
   shot.camera = camera_;
   for (std::size_t b = 0; b < scene_->books.size(); ++b) {
-    const BookSetup& setup = scene_->books[b];
+    BookSetup setup = scene_->books[b];
     const BookTrack& track = trajectory_->books[b];
-    shot.books.push_back({track.shown(frame).corners_W.colwise() + setup.position_W,
-                          setup.style == Style::ghost ? BookStyle::ghost : BookStyle::solid});
-    add_overlays(shot, setup, track, frame);
+    const auto n = static_cast<std::size_t>(frame);
+    Shot alone;
+    if (frame <= last_frames_[b]) {
+      alone.books.push_back(
+          {track.frames[n].corners_W, setup.style == Style::ghost ? BookStyle::ghost : BookStyle::solid});
+      if (track.frames[n].exploded()) {
+        const double seconds = (frame - *track.exploded_frame + 1.0) / scene_->clip.fps;
+        alone.books.front().brightness = 1.0 - (1.0 - exploded_brightness) * std::min(1.0, seconds / dimming);
+      }
+    } else {  // the ghosts stay
+      std::erase_if(setup.show, [](Overlay o) { return o != Overlay::exact && o != Overlay::unrotated; });
+    }
+    add_overlays(alone, setup, track, n);
+    const auto put = [&](auto& from, auto& to, auto shift) {
+      for (auto& item : from) {
+        item.*shift += shifts_[b];
+        to.push_back(item);
+      }
+    };
+    put(alone.books, shot.books, &BookPose::shift);
+    put(alone.arrows, shot.arrows, &Arrow::shift);
+    put(alone.lines, shot.lines, &Line::shift);
+    put(alone.labels, shot.labels, &Label::position);
   }
   for (Label& label : text(frame)) {
     label.height = set_height_.at(label.height);
@@ -163,7 +221,7 @@ std::vector<Label> Storyboard::text(int frame) const {
     const auto first = std::find_if(books.begin(), books.end(),
                                     [&](const BookSetup& other) { return other.position_W == books[b].position_W; });
     const int used = lines[static_cast<std::size_t>(first - books.begin())]++;
-    labels.push_back(make_label(line, size, palette::light, {0.0, used * line_height}));
+    labels.push_back(make_label(line, size, palette::light, shifts_[b] + Eigen::Vector2d(0.0, used * line_height)));
     labels.back().anchor_W = name_anchor_W(*scene_, books[b]);
     labels.back().tabular = size == figure_height;
   };
@@ -176,16 +234,16 @@ std::vector<Label> Storyboard::text(int frame) const {
         title_height, palette::yellow);
   }
   if (!scene_->view.head_up.empty()) {
-    add(fmt::format("t {:.1f}", std::min(frame, last_moving_frame_) * scene_->clip.time_per_frame), figure_height,
-        palette::light);
+    add(fmt::format("t {:.1f}", frame * scene_->clip.time_per_frame), figure_height, palette::light);
   }
   const bool one =
       std::count_if(books.begin(), books.end(), [](const BookSetup& book) { return book.style == Style::solid; }) <= 1;
   for (std::size_t b = 0; b < books.size(); ++b) {
     if (!books[b].name.empty()) add_below(b, books[b].name, name_height);
     if (books[b].style == Style::ghost && books.size() > 1) continue;
+    const BookFrame& now = trajectory_->books[b].frames[static_cast<std::size_t>(std::min(frame, last_frames_[b]))];
     for (const Q q : scene_->view.head_up) {
-      const std::string figure = head_up_text(quantity(q), trajectory_->books[b].shown(frame)[q]);
+      const std::string figure = head_up_text(quantity(q), now[q]);
       if (one) {
         add(figure, figure_height, palette::light);
       } else {

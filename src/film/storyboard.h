@@ -1,10 +1,11 @@
-// Scene + Trajectory -> what each frame shows: title, camera, books, names and figures, and the notice
-// that a book has exploded. Overlays (film/overlays.h) are drawn where the script asks for them. Text whose widest line
-// in the film would be cut, or meet that below another book, is set smaller throughout.
+// Scene + Trajectory -> what each frame shows: title, camera, books, names and figures, and the notice that a book has
+// exploded. Text whose widest line in the film would be cut, or meet that below another book, is set smaller throughout.
 //
-// The camera stands still. It looks from the scene's direction at the middle of the books, from the distance at which
-// the whole motion of every book stays in view: the sphere about each book that its farthest corner touches in any
-// frame shown. A book that has exploded is held at the frame before.
+// The camera stands still and looks from the scene's direction at each book's own center. The books' pictures are put
+// where the scene has them, side by side: equal poses look alike. All that moves stays in view: the sphere about each
+// book that its farthest corner ever touches; of one that explodes, only as long as it is little larger than at rest.
+// That one is dimmed, lest it flash, and drawn until its numbers end or it comes as near as the camera; its ghosts stay.
+// When all have gone, the film ends a second later.
 #pragma once
 
 #include <map>
@@ -22,6 +23,7 @@ class Storyboard {
   // Both must outlive the storyboard. width, height: of the picture, pixels.
   Storyboard(const Scene& scene, const Trajectory& trajectory, int width, int height);
 
+  [[nodiscard]] int frames() const;          // of the film: scene.clip.frames, or fewer
   [[nodiscard]] Shot shot(int frame) const;  // frame: 0 ... scene.clip.frames - 1
 
  private:
@@ -31,7 +33,8 @@ class Storyboard {
   const Scene* scene_;
   const Trajectory* trajectory_;
   Camera camera_;
-  int last_moving_frame_ = 0;            // when every book has exploded the clock stops
+  std::vector<Eigen::Vector2d> shifts_;  // of each book's picture, as in a Shot
+  std::vector<int> last_frames_;         // in which each book is drawn
   std::map<double, double> set_height_;  // of text, by the height that it should have
 };
 

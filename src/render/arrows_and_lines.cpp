@@ -72,7 +72,8 @@ std::vector<float> arrow_triangles(const Arrow& arrow) {
 }
 
 // Two triangles as wide as asked on the screen, or nothing when the line is behind the eye.
-void push_line(std::vector<float>& out, const View& view, int width, int height, const Line& line) {
+void push_line(std::vector<float>& out, const View& camera, int width, int height, const Line& line) {
+  const View view = camera.shifted(line.shift);
   Eigen::Vector4d a = view.clip_from_world() * line.from_W.homogeneous();
   Eigen::Vector4d b = view.clip_from_world() * line.to_W.homogeneous();
   const double near = view.near() / view.distance();
@@ -140,8 +141,9 @@ void ArrowAndLinePainter::draw(const Stream& stream, const std::vector<float>& v
   gl_->DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()) / floats_a_vertex);
 }
 
-void ArrowAndLinePainter::draw_arrow(const View& view, const Arrow& arrow) {
+void ArrowAndLinePainter::draw_arrow(const View& camera, const Arrow& arrow) {
   if (!((arrow.to_W - arrow.from_W).norm() > 0)) return;
+  const View view = camera.shifted(arrow.shift);
   solid_.use();
   const Eigen::Matrix4f clip_from_world = view.clip_from_world().cast<float>();
   const Eigen::Matrix3f R_CW = view.R_CW().cast<float>();

@@ -20,7 +20,7 @@ class ArrowAndLinePainter {
  public:
   ArrowAndLinePainter(const GladGLContext& gl, const std::filesystem::path& assets);
 
-  void draw_arrow(const View& view, const Arrow& arrow);
+  void draw_arrow(const View& camera, const Arrow& arrow);
   void draw_lines(const View& view, int width, int height, std::span<const Line> lines);
 
   // World points whose convex hull holds the arrow.

@@ -234,23 +234,4 @@ BookMesh hardcover(int fineness) {
   return std::move(builder.mesh);
 }
 
-BookMesh cuboid() {
-  constexpr int n = 4;
-  Builder builder;
-  const auto at = [](int i) { return static_cast<double>(i) / n; };
-  builder.grid(BookPart::front, n + 1, n + 1,
-               [&](int c, int r) { return Vertex{at(c), at(r), 1, 0, 0, 1, at(c), 1 - at(r)}; });
-  builder.grid(BookPart::back, n + 1, n + 1,
-               [&](int c, int r) { return Vertex{1 - at(c), at(r), 0, 0, 0, -1, at(c), 1 - at(r)}; });
-  builder.grid(BookPart::spine, n + 1, n + 1,
-               [&](int c, int r) { return Vertex{0, at(r), at(c), -1, 0, 0, at(c), 1 - at(r)}; });
-  builder.grid(BookPart::pages, n + 1, n + 1,
-               [&](int c, int r) { return Vertex{1, at(r), 1 - at(c), 1, 0, 0, at(r), 1 - at(c)}; });
-  builder.grid(BookPart::pages, n + 1, n + 1,
-               [&](int c, int r) { return Vertex{at(c), 1, 1 - at(r), 0, 1, 0, at(c), 1 - at(r)}; });
-  builder.grid(BookPart::pages, n + 1, n + 1,
-               [&](int c, int r) { return Vertex{at(c), 0, at(r), 0, -1, 0, at(c), at(r)}; });
-  return std::move(builder.mesh);
-}
-
 }  // namespace bookspin

@@ -30,6 +30,5 @@ struct BookMesh {
 
 // fineness 1 does for a book that is hardly bent, as each triangle costs over a microsecond a frame.
 BookMesh hardcover(int fineness);
-BookMesh cuboid();  // the same faces, flat and at full size: what a ghost is made of
 
 }  // namespace bookspin

@@ -12,7 +12,7 @@ namespace bookspin {
 namespace {
 
 constexpr Color ghost_tint{190, 228, 255, 255};
-constexpr float ghost_opacity = 0.40F;
+constexpr double coincident = 4e-5;  // depths that differ by less are one, in clip coordinates: an 800th of a book
 
 // Mipmapped and trilinear. The smaller pictures are averaged in linear light, by a texture that OpenGL knows to be
 // sRGB; the one that is drawn holds the same bytes as plain numbers (see book.frag).
@@ -77,9 +77,10 @@ BookPainter::BookPainter(const GladGLContext& gl, const std::filesystem::path& a
       ghost_(gl, assets / "shaders" / "book.vert", assets / "shaders" / "ghost.frag"),
       solid_uniforms_(find_uniforms(solid_)),
       ghost_uniforms_(find_uniforms(ghost_)),
+      brightness_(solid_.uniform("brightness")),
+      opacity_(ghost_.uniform("opacity")),
       hardcover_(upload(gl, hardcover(1))),
-      fine_hardcover_(upload(gl, hardcover(4))),
-      cuboid_(upload(gl, cuboid())) {
+      fine_hardcover_(upload(gl, hardcover(4))) {
   const std::array<const char*, book_part_count> names{"pages.png", "front.png", "back.png", "spine.png"};
   for (std::size_t i = 0; i < book_part_count; ++i) {
     textures_[i] = upload_texture(gl, assets / "textures" / names[i]);
@@ -87,7 +88,6 @@ BookPainter::BookPainter(const GladGLContext& gl, const std::filesystem::path& a
   ghost_.use();
   const std::array<float, 4> tint = gl_color(ghost_tint);
   gl.Uniform3fv(ghost_.uniform("tint"), 1, tint.data());
-  gl.Uniform1f(ghost_.uniform("opacity"), ghost_opacity);
 }
 
 BookPainter::Uniforms BookPainter::find_uniforms(const Program& program) {
@@ -120,31 +120,52 @@ BookPainter::Mesh BookPainter::upload(const GladGLContext& gl, const BookMesh& m
   return result;
 }
 
-void BookPainter::draw_solid(const View& view, const Corners& corners_W, bool with_depth) {
+void BookPainter::draw_solid(const View& view, const BookPose& book, bool with_depth) {
   solid_.use();
+  gl_->Uniform1f(brightness_, static_cast<float>(book.brightness));
   if (with_depth) {
     gl_->Enable(GL_DEPTH_TEST);
   } else {
     gl_->Disable(GL_DEPTH_TEST);
   }
-  draw(view, corners_W, is_unbent(corners_W) ? hardcover_ : fine_hardcover_, solid_uniforms_);
+  draw(view, book.corners_W, solid_uniforms_);
 }
 
 void BookPainter::draw_ghost(const View& view, const Corners& corners_W) {
-  // A cuboid's front faces never hide one another, so culling gives a single layer without looking at depth, and a
-  // ghost that coincides with its solid book does not fight with it.
   ghost_.use();
-  gl_->Disable(GL_DEPTH_TEST);
+  gl_->Enable(GL_DEPTH_TEST);
+  // Depth first, so that of its own faces only the nearest are seen.
+  gl_->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  draw(view, corners_W, ghost_uniforms_, -coincident);
+  gl_->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl_->DepthMask(GL_FALSE);
   gl_->Enable(GL_BLEND);
-  draw(view, corners_W, cuboid_, ghost_uniforms_);
+  struct Layer {
+    GLenum depth;
+    double nearer;
+    float faces, edges;  // opacity
+    BookPart first_part;
+  };
+  for (const Layer& layer : {Layer{GL_EQUAL, -coincident, 0.40F, 0.40F, BookPart::pages},
+                             Layer{GL_ALWAYS, 0.0, 0.0F, 0.40F, BookPart::front},
+                             Layer{GL_LESS, coincident, 0.0F, 0.80F, BookPart::front}}) {
+    gl_->DepthFunc(layer.depth);
+    gl_->Uniform2f(opacity_, layer.faces, layer.edges);
+    draw(view, corners_W, ghost_uniforms_, layer.nearer, layer.first_part);
+  }
   gl_->Disable(GL_BLEND);
+  gl_->DepthFunc(GL_LESS);
+  gl_->DepthMask(GL_TRUE);
 }
 
-void BookPainter::draw(const View& view, const Corners& corners_W, const Mesh& mesh, const Uniforms& uniforms) {
+void BookPainter::draw(const View& view, const Corners& corners_W, const Uniforms& uniforms, double nearer,
+                       BookPart first_part) {
+  const Mesh& mesh = is_unbent(corners_W) ? hardcover_ : fine_hardcover_;
   // In units of the camera's distance, so that single precision does for scenes of any size.
   const Eigen::Matrix<float, 3, 8> corners_C =
       (view.R_CW() * (corners_W.colwise() - view.eye_W()) / view.distance()).cast<float>();
-  const Eigen::Matrix4f clip_from_camera = view.clip_from_unit_camera().cast<float>();
+  Eigen::Matrix4f clip_from_camera = view.clip_from_unit_camera().cast<float>();
+  clip_from_camera.row(2) -= static_cast<float>(nearer) * clip_from_camera.row(3);
   gl_->Uniform3fv(uniforms.corners_C, 8, corners_C.data());
   gl_->UniformMatrix4fv(uniforms.clip_from_camera, 1, GL_FALSE, clip_from_camera.data());
 
@@ -154,7 +175,7 @@ void BookPainter::draw(const View& view, const Corners& corners_W, const Mesh& m
     gl_->Disable(GL_CULL_FACE);
   }
   gl_->BindVertexArray(mesh.vertex_array.id());
-  for (std::size_t i = 0; i < book_part_count; ++i) {
+  for (auto i = static_cast<std::size_t>(first_part); i < book_part_count; ++i) {
     gl_->BindTexture(GL_TEXTURE_2D, textures_[i].id());
     gl_->DrawElements(GL_TRIANGLES, mesh.parts[i].indices, GL_UNSIGNED_SHORT, buffer_offset(mesh.parts[i].first_byte));
   }

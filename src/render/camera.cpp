@@ -42,6 +42,15 @@ View::View(const Camera& camera, int width, int height)
   clip_from_world_ = clip_from_unit_camera_ * camera_from_world;
 }
 
+View View::shifted(const Eigen::Vector2d& shift) const {
+  View view = *this;
+  for (Eigen::Matrix4d* clip_from : {&view.clip_from_unit_camera_, &view.clip_from_world_}) {
+    clip_from->row(0) += 2 * std::round(shift.x() * height_) / width_ * clip_from->row(3);
+    clip_from->row(1) += 2 * std::round(shift.y() * height_) / height_ * clip_from->row(3);
+  }
+  return view;
+}
+
 bool View::drawable(const Eigen::Vector3d& point_W) const {
   // Written so that NaN is not drawable.
   return (point_W - eye_W_).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= drawable_share * distance_;

@@ -27,6 +27,7 @@ struct PixelPoint {
 class View {
  public:
   View(const Camera& camera, int width, int height);
+  [[nodiscard]] View shifted(const Eigen::Vector2d& shift) const;  // see shot.h
 
   [[nodiscard]] const Eigen::Matrix4d& clip_from_world() const { return clip_from_world_; }
   // The same from the camera frame in units of distance().

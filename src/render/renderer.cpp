@@ -96,26 +96,26 @@ struct Renderer::Parts {
 
 Footprint Renderer::Parts::find_footprint(const Shot& next, const View& view) {
   Footprint result;
-  const auto bounds = [&](auto&& points, double margin) {
+  const auto bounds = [&](auto&& points, const Eigen::Vector2d& shift, double margin) {
     const bool drawable = std::ranges::all_of(points, [&](const auto& p) { return view.drawable(p); });
-    return drawable ? view.bounds(points, margin) : Rect{};
+    return drawable ? view.shifted(shift).bounds(points, margin) : Rect{};
   };
   for (const BookPose& book : next.books) {
     std::array<Eigen::Vector3d, 8> corners;
     for (int i = 0; i < 8; ++i) corners[static_cast<std::size_t>(i)] = book.corners_W.col(i);
-    result.books.push_back(bounds(corners, margin_px));
+    result.books.push_back(bounds(corners, book.shift, margin_px));
   }
-  for (const Arrow& arrow : next.arrows) result.arrows.push_back(bounds(ArrowAndLinePainter::hull(arrow), margin_px));
+  for (const Arrow& arrow : next.arrows)
+    result.arrows.push_back(bounds(ArrowAndLinePainter::hull(arrow), arrow.shift, margin_px));
   for (const Line& line : next.lines) {
-    result.lines.push_back(bounds(std::array{line.from_W, line.to_W}, margin_px + line.width_px));
+    result.lines.push_back(bounds(std::array{line.from_W, line.to_W}, line.shift, margin_px + line.width_px));
   }
   result.needs_depth = !next.arrows.empty() || !next.lines.empty();
   for (std::size_t i = 0; i < next.books.size(); ++i) {
-    if (next.books[i].style != BookStyle::solid || result.books[i].empty()) continue;
-    result.needs_depth = result.needs_depth || !is_unbent(next.books[i].corners_W);
+    if (result.books[i].empty()) continue;
+    if (next.books[i].style == BookStyle::ghost || !is_unbent(next.books[i].corners_W)) result.needs_depth = true;
     for (std::size_t j = 0; j < i; ++j) {
-      const bool both_solid = next.books[j].style == BookStyle::solid;
-      if (both_solid && !intersection(result.books[i], result.books[j]).empty()) result.needs_depth = true;
+      if (!intersection(result.books[i], result.books[j]).empty()) result.needs_depth = true;
     }
   }
   for (const Label& label : next.labels) result.labels.push_back(text.lay_out(label, view, scene.width, scene.height));
@@ -129,7 +129,7 @@ void Renderer::Parts::draw_scene(const Shot& next, const Footprint& next_footpri
   for (std::size_t i = 0; i < next.books.size(); ++i) {
     const bool solid = next.books[i].style == BookStyle::solid;
     if (solid && touched(next_footprint.books[i]))
-      books.draw_solid(view, next.books[i].corners_W, next_footprint.needs_depth);
+      books.draw_solid(view.shifted(next.books[i].shift), next.books[i], next_footprint.needs_depth);
   }
   for (std::size_t i = 0; i < next.arrows.size(); ++i) {
     if (touched(next_footprint.arrows[i])) arrows_and_lines.draw_arrow(view, next.arrows[i]);
@@ -141,7 +141,8 @@ void Renderer::Parts::draw_scene(const Shot& next, const Footprint& next_footpri
   arrows_and_lines.draw_lines(view, scene.width, scene.height, lines);
   for (std::size_t i = 0; i < next.books.size(); ++i) {
     const bool ghost = next.books[i].style == BookStyle::ghost;
-    if (ghost && touched(next_footprint.books[i])) books.draw_ghost(view, next.books[i].corners_W);
+    if (ghost && touched(next_footprint.books[i]))
+      books.draw_ghost(view.shifted(next.books[i].shift), next.books[i].corners_W);
   }
   frame_buffer.read(area, scene);
 }

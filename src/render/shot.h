@@ -1,9 +1,11 @@
 // What one frame shows: plain data, equal shots give equal pictures.
 //
 // W is the world frame (the scene's unit of length), its +y up in the picture. Colors are sRGB as one would write them
-// in a style sheet; alpha is straight. Items are drawn in this order: solid books, arrows, lines (all hiding one
-// another by depth), then ghosts (translucent, over everything behind or before them), then labels. A book, arrow or
-// line with a coordinate that is not finite, or beyond 1e6 camera distances, is not drawn.
+// in a style sheet; alpha is straight. Items are drawn in this order: solid books, arrows, lines, then ghosts
+// (translucent), then labels. All hide one another by depth, but for a ghost's edges, which shine through, and labels.
+// A book, arrow or line with a coordinate that is not finite, or beyond 1e6 camera distances, is not drawn.
+// shift moves an item's picture right and down, in frame heights, to whole pixels: books side by side, each seen by the
+// same camera, look alike when their poses are.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,6 +30,8 @@ enum class BookStyle { solid, ghost };
 struct BookPose {
   Corners corners_W = Corners::Zero();
   BookStyle style = BookStyle::solid;
+  Eigen::Vector2d shift{0, 0};
+  double brightness = 1;  // of a solid book, 0 ... 1
   bool operator==(const BookPose&) const = default;
 };
 
@@ -36,6 +40,7 @@ struct Arrow {
   Eigen::Vector3d to_W{0, 0, 0};  // the tip
   Color color;                    // always opaque
   double radius = 0.02;           // of the shaft, world units
+  Eigen::Vector2d shift{0, 0};
   bool operator==(const Arrow&) const = default;
 };
 
@@ -44,6 +49,7 @@ struct Line {
   Eigen::Vector3d to_W{0, 0, 0};
   Color color;
   double width_px = 2;  // pixels
+  Eigen::Vector2d shift{0, 0};
   bool operator==(const Line&) const = default;
 };
 

@@ -43,9 +43,11 @@ struct OverlayInfo {
 
 inline constexpr std::array overlay_table{
     OverlayInfo{"axes", "the body axes, labeled x, y, z"},
-    OverlayInfo{"angular_velocity", "an arrow"},
-    OverlayInfo{"angular_momentum", "an arrow"},
-    OverlayInfo{"trace", "the path of the tip of the spin axis (the one that tilt is measured of), fading with age"},
+    OverlayInfo{"angular_velocity", "an arrow; a line: what it was at the start"},
+    OverlayInfo{"angular_momentum", "an arrow; a line: what it was at the start"},
+    OverlayInfo{
+        "trace",
+        "the spin axis (the one that tilt is measured of) as an arrow, and the path of its tip, fading with age"},
     OverlayInfo{"springs", "all 28, colored by their tension"},
     OverlayInfo{"exact", "a ghost: the exact book from the same start"},
     OverlayInfo{"unrotated", "a ghost: the book as it was at the start"},
@@ -57,7 +59,7 @@ struct BookSetup {
   Method method = Method::springs;
   BookOptions options;  // omega_W without the jiggle
   double jiggle = 0.0;  // length of the seeded vector added to omega_W, in units of |omega_W|, 0 ... 1
-  Eigen::Vector3d position_W = Eigen::Vector3d::Zero();  // where it is drawn; the motion itself is about the origin
+  Eigen::Vector3d position_W = Eigen::Vector3d::Zero();  // where its picture is put; it moves about the origin
   Style style = Style::solid;
   std::set<Overlay> show;
 };

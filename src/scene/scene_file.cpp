@@ -31,7 +31,9 @@ constexpr Range positive{0.0, largest_number, true};
 constexpr Range signed_number{-largest_number, largest_number};
 
 void read_clip(TableReader& reader, Clip& clip) {
-  reader.read("frames", clip.frames, 1, most_frames, "frames of the film; frame 0 is the start, one alone is a still");
+  reader.read("frames", clip.frames, 1, most_frames,
+              "frames of the film; frame 0 is the start, one alone is a still; a film ends a second after all its "
+              "books have exploded and gone");
   reader.read("fps", clip.fps, 1, 240, "frames a second");
   reader.read("time_per_frame", clip.time_per_frame, positive, "simulated time from one frame to the next");
   reader.read("substeps", clip.substeps, 1, 1000000,
@@ -118,7 +120,8 @@ void read_book(TableReader& reader, BookSetup& book) {
   read_integrator(reader, book);
   reader.read("stiffness", o.stiffness, positive, "of springs: force per length of each of the 28");
   reader.read("particle_mass", o.particle_mass, positive, "mass of each of the eight corners");
-  reader.read("position", book.position_W, signed_number, "where the book is drawn; it moves about this point");
+  reader.read("position", book.position_W, signed_number,
+              "where its picture is put; the camera sees each book as if it stood in the middle");
   book.style = static_cast<Style>(reader.read_word("style", style_names, "how the book is drawn"));
   for (const std::size_t i : reader.read_words("show", names_of(overlay_table), "what is drawn with the book",
                                                "a list of overlays, as below")) {

@@ -1,15 +1,14 @@
 // What a simulation leaves behind: the corners of every book at every frame, and what was measured there.
 //
 // A book has exploded from the first frame on at which a corner is farther from its center than largest_extent times
-// half its diagonal at rest, or is not finite. That is data, not an error: a film holds on the frame before. Once a
-// number is not finite, or what is measured overflows, the corners and all measures of the book are NaN; counts stay.
+// half its diagonal at rest, or is not finite. That is data, not an error, and the motion goes on. Once a number is not
+// finite, or what is measured overflows, the corners and all measures of the book are NaN; counts stay.
 //
 // q_WB is the quaternion of a method that keeps one of unit norm; of any other book the rotation nearest to its corners.
 #pragma once
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -38,11 +37,6 @@ struct BookFrame {
 struct BookTrack {
   std::vector<BookFrame> frames;      // one a film frame
   std::optional<int> exploded_frame;  // the first exploded one
-
-  // The frame that film frame n shows: n itself, or the last one before the explosion.
-  [[nodiscard]] const BookFrame& shown(int n) const {
-    return frames[static_cast<std::size_t>(exploded_frame ? std::clamp(*exploded_frame - 1, 0, n) : n)];
-  }
 };
 
 struct Trajectory {

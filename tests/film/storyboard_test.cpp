@@ -8,6 +8,7 @@
 #include <set>
 
 #include "render/camera.h"
+#include "render/renderer.h"
 #include "render/text.h"
 #include "scene/quantities.h"
 #include "scene/scene_file.h"
@@ -40,9 +41,12 @@ TEST_P(EveryFigure, KeepsTheMotionInViewAndFillsThePicture) {
   double farthest = 0.0;
   for (int n = 0; n < scene.clip.frames; n += 7) {
     const Shot shot = storyboard.shot(n);
+    const BookTrack& first = trajectory.books[0];
+    if (first.exploded_frame && first.frames[static_cast<std::size_t>(n)][Q::extent] > 1.25)
+      break;  // no longer healthy
     for (const BookPose& book : shot.books) {
       for (int i = 0; i < 8; ++i) {
-        const PixelPoint p = View(shot.camera, width, height).project(book.corners_W.col(i));
+        const PixelPoint p = View(shot.camera, width, height).shifted(book.shift).project(book.corners_W.col(i));
         ASSERT_GT(p.depth, 0.0);
         const double x = std::abs(p.x / width - 0.5);
         const double y = std::abs(p.y / height - 0.5);
@@ -60,17 +64,37 @@ INSTANTIATE_TEST_SUITE_P(Videos, EveryFigure,
                                          "fig08_neither", "fig10_matrix_unnormalized", "fig11_quaternion_unnormalized",
                                          "fig12_pulsating_quaternion"));
 
-TEST(Storyboard, AnExplosionIsHeldAndSaid) {
-  const Scene scene = load_scene(script("fig08_neither"));
+TEST(Storyboard, AnExplosionIsSaidAndDrawnOnToItsEndAndASecondLaterTheFilmEnds) {
+  for (const char* name :
+       {"fig07_unnormalized", "fig08_neither", "fig10_matrix_unnormalized", "fig11_quaternion_unnormalized"}) {
+    const Scene scene = load_scene(script(name));
+    const Trajectory trajectory = simulate(scene);
+    const Storyboard storyboard(scene, trajectory, width, height);
+    const int exploded = trajectory.books[0].exploded_frame.value();
+    EXPECT_EQ(find_label(storyboard.shot(exploded - 1), "exploded"), nullptr);
+    EXPECT_NE(find_label(storyboard.shot(exploded), "exploded at t = "), nullptr);
+    int gone = exploded;
+    while (storyboard.shot(gone).books[0].style == BookStyle::solid) ++gone;
+    EXPECT_GT(gone, exploded + 15) << name;  // measured 32 to 136
+    const BookFrame& last = trajectory.books[0].frames[static_cast<std::size_t>(gone - 1)];
+    EXPECT_GT(last[Q::extent], 4.0) << name;  // measured 5.0 to 5.7
+    EXPECT_LT(last[Q::extent], 6.0) << name;
+    EXPECT_EQ(storyboard.frames(), std::min(gone + scene.clip.fps, scene.clip.frames));
+    EXPECT_EQ(storyboard.shot(gone).books.size(), 1U);  // the true book turns on
+    EXPECT_NE(storyboard.shot(gone).books, storyboard.shot(gone + 30).books);
+    EXPECT_EQ(storyboard.shot(exploded - 1).books[0].brightness, 1.0);
+    EXPECT_LT(storyboard.shot(exploded + 12).books[0].brightness, 0.4);
+  }
+}
+
+TEST(Storyboard, AFilmLastsAsLongAsOneOfItsBooks) {
+  const std::string two = "book=[{}, {normalize=false, damping=0, angular_velocity=[0.9, 0, 0]}]";
+  const Scene scene = load_scene(script("fig08_neither"), std::vector{two});
   const Trajectory trajectory = simulate(scene);
+  ASSERT_TRUE(trajectory.books[1].exploded_frame.has_value());
   const Storyboard storyboard(scene, trajectory, width, height);
-  ASSERT_TRUE(trajectory.books[0].exploded_frame.has_value());
-  const int exploded = *trajectory.books[0].exploded_frame;
-  EXPECT_EQ(find_label(storyboard.shot(exploded - 1), "exploded"), nullptr);
-  const Shot held = storyboard.shot(exploded);
-  EXPECT_NE(find_label(held, "exploded at t = "), nullptr);
-  EXPECT_EQ(held.books, storyboard.shot(exploded - 1).books);
-  EXPECT_EQ(held, storyboard.shot(scene.clip.frames - 1));  // nothing moves any more, so nothing is drawn again
+  EXPECT_EQ(storyboard.frames(), scene.clip.frames);
+  EXPECT_EQ(storyboard.shot(scene.clip.frames - 1).books.size(), 1U);
 }
 
 TEST(Storyboard, BooksStandWhereTheScriptPutsThemWithTheirNames) {
@@ -78,16 +102,48 @@ TEST(Storyboard, BooksStandWhereTheScriptPutsThemWithTheirNames) {
   const Trajectory trajectory = simulate(scene);
   const Shot shot = Storyboard(scene, trajectory, width, height).shot(100);
   ASSERT_EQ(shot.books.size(), 3U);
+  const View view(shot.camera, width, height);
+  const PixelPoint middle = view.project(Eigen::Vector3d::Zero());
   for (std::size_t b = 0; b < 3; ++b) {
-    const Eigen::Vector3d center = shot.books[b].corners_W.rowwise().mean();
-    EXPECT_LT((center - scene.books[b].position_W).norm(), 1e-12);  // measured 0
+    EXPECT_EQ(shot.books[b].corners_W, trajectory.books[b].frames[100].corners_W);  // each seen from its own front
     const Label* name = find_label(shot, scene.books[b].name);
     ASSERT_NE(name, nullptr);
-    const PixelPoint below = View(shot.camera, width, height).project(*name->anchor_W);
-    const PixelPoint book = View(shot.camera, width, height).project(center);
-    EXPECT_NEAR(below.x, book.x, 1e-9);  // measured 0
-    EXPECT_GT(below.y, book.y);
+    const PixelPoint book = view.shifted(shot.books[b].shift).project(Eigen::Vector3d::Zero());
+    EXPECT_NEAR((book.x - middle.x) / height, shot.books[b].shift.x(), 0.5 / height + 1e-9);  // to whole pixels
+    const PixelPoint below = view.project(*name->anchor_W);
+    EXPECT_NEAR(below.x + name->position.x() * height, book.x, 0.5 + 1e-9);
+    EXPECT_GT(below.y + name->position.y() * height, book.y);
+    EXPECT_GT(shot.books[b].shift.x(), b == 0 ? -1.0 : shot.books[b - 1].shift.x() + 0.3);  // measured 0.51 apart
   }
+}
+
+// The four books are one picture at the start; in the first flip matrix and quaternion, 2e-4 radians apart, still are.
+TEST(Storyboard, EqualPosesAreEqualPictures) {
+  const Scene scene = load_scene(script("compare_methods"));
+  const Trajectory trajectory = simulate(scene);
+  const Storyboard storyboard(scene, trajectory, width, height);
+  Renderer renderer(width, height, BOOKSPIN_SOURCE_DIR);
+  const auto different_pixels = [&](int frame, std::size_t a, std::size_t b) {
+    Shot shot = storyboard.shot(frame);
+    shot.labels.clear();
+    const Image picture = renderer.draw(shot);
+    const auto middle = [&](std::size_t book) {
+      return width / 2 + static_cast<int>(std::round(shot.books[book].shift.x() * height));
+    };
+    int different = 0;
+    for (int y = 0; y < height; ++y) {
+      for (int x = -70; x < 70; ++x) {
+        const std::uint8_t* here = picture.pixel(middle(a) + x, y);
+        const std::uint8_t* there = picture.pixel(middle(b) + x, y);
+        if (std::abs(here[0] - there[0]) + std::abs(here[1] - there[1]) + std::abs(here[2] - there[2]) > 24)
+          ++different;
+      }
+    }
+    return different;
+  };
+  for (const std::size_t b : {1U, 2U, 3U}) EXPECT_EQ(different_pixels(0, 0, b), 0);
+  EXPECT_LE(different_pixels(239, 1, 2), 10);    // measured 0
+  EXPECT_GE(different_pixels(480, 2, 3), 1000);  // the exact book is elsewhere: measured
 }
 
 TEST(Storyboard, AxesAreDrawnAndNamedOnRequest) {
@@ -100,7 +156,9 @@ TEST(Storyboard, AxesAreDrawnAndNamedOnRequest) {
     EXPECT_EQ((arrow.to_W - arrow.from_W).normalized(), Eigen::Vector3d::Unit(d));
     const Label* name = find_label(shot, std::string(1, "xyz"[d]));
     ASSERT_NE(name, nullptr);
-    const PixelPoint p = View(shot.camera, width, height).project(*name->anchor_W);
+    PixelPoint p = View(shot.camera, width, height).project(*name->anchor_W);
+    p.x += name->position.x() * height;
+    p.y += name->position.y() * height;
     EXPECT_GT(p.x, 0.05 * width);
     EXPECT_LT(p.x, 0.95 * width);
     EXPECT_GT(p.y, 0.05 * height);
@@ -117,7 +175,7 @@ TEST(Storyboard, FiguresOnRequest) {
   ASSERT_NE(energy, nullptr);
   EXPECT_TRUE(energy->tabular);
   EXPECT_EQ(energy->text, "E/E₀ " + std::to_string(motion.books[0].frames[100][Q::energy_ratio]).substr(0, 5));
-  EXPECT_EQ(find_label(shot, "t 4.0")->position.x(), energy->position.x());
+  EXPECT_EQ(find_label(shot, "t 2.5")->position.x(), energy->position.x());
 
   const Scene three = load_scene(script("fig02_experiment"));
   const Trajectory motions = simulate(three);
@@ -132,13 +190,14 @@ TEST(Storyboard, ArrowsTraceAndSpringsOnRequest) {
   const Storyboard storyboard(scene, trajectory, width, height);
   const Shot start = storyboard.shot(0);
   const Shot later = storyboard.shot(420);  // in the middle of a flip
-  ASSERT_EQ(later.arrows.size(), 2U);
+  ASSERT_EQ(later.arrows.size(), 3U);
   EXPECT_GT((later.arrows[0].to_W - start.arrows[0].to_W).norm(), 0.3);   // omega: measured 0.85
   EXPECT_LT((later.arrows[1].to_W - start.arrows[1].to_W).norm(), 1e-9);  // L: measured 0
-  EXPECT_EQ(start.lines.size(), 28U);
-  ASSERT_EQ(later.lines.size(), 28U + 240U);
-  EXPECT_LT(later.lines[0].color.a, later.lines[239].color.a);
-  const Eigen::Vector3d tip = later.lines[239].to_W;
+  EXPECT_EQ(start.lines.size(), 2U + 28U);  // what the two vectors were at the start, and the springs
+  ASSERT_EQ(later.lines.size(), 2U + 240U + 28U);
+  EXPECT_LT(later.lines[2].color.a, later.lines[241].color.a);
+  const Eigen::Vector3d tip = later.lines[241].to_W;
+  EXPECT_EQ(later.arrows[2].to_W, tip);
   const Eigen::Vector3d x_W = trajectory.books[0].frames[420].q_WB * Eigen::Vector3d::UnitX();
   EXPECT_LT((tip.normalized() - x_W).norm(), 1e-12);  // measured 0
 }

@@ -158,7 +158,7 @@ TEST_P(Flashes, AtMostThreeInAnySecondOfAnExplosion) {
   const Storyboard storyboard(scene, trajectory, width, height);
   Renderer renderer(width, height, project);
   FlashMeter meter(width, height, scene.clip.fps);
-  for (int n = 0; n < scene.clip.frames; ++n) meter.add(renderer.draw(storyboard.shot(n)));
+  for (int n = 0; n < storyboard.frames(); ++n) meter.add(renderer.draw(storyboard.shot(n)));
   EXPECT_LE(meter.worst(), most_flashes);
 }
 

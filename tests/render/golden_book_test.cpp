@@ -62,6 +62,20 @@ TEST(GoldenBook, GhostBehindAndAlone) {
   expect_shot(shot, "ghost_behind");
 }
 
+// What of a ghost is behind a book is hidden, but for its edges, which shine through.
+TEST(GoldenBook, GhostHalfHidden) {
+  Shot shot = shot_of(book_at(20, 30, 5));
+  shot.books.push_back({book_at(30, -20, 20, {0.5, 0.3, -0.6}), BookStyle::ghost});
+  expect_shot(shot, "ghost_half_hidden");
+}
+
+// Ghosts of the orientation alone show that a book has grown.
+TEST(GoldenBook, GhostInAGrownBook) {
+  Shot shot = shot_of(1.2 * book_at(20, 30, 5));
+  shot.books.push_back({book_at(20, 30, 5), BookStyle::ghost});
+  expect_shot(shot, "ghost_in_a_grown_book");
+}
+
 TEST(GoldenBook, OneHidesAnotherByDepth) {
   Shot shot = shot_of(book_at(20, 30, 5, {-0.6, 0, 0}));
   shot.books.push_back({book_at(10, 200, 25, {0.9, 0, 0.3}), BookStyle::solid});

@@ -53,13 +53,88 @@ Shot scene_at(int frame) {
     shot.books.push_back({book_at(7.5 * frame, 11.0 * frame, 3.0 * frame, {-0.9, 0, 0}), BookStyle::ghost});
   shot.books.push_back({book_at(20, 35, 5, {1.9, 0, 0}), BookStyle::solid});  // stands still
   shot.arrows.push_back({{-0.9, 0, 0}, {-0.9 + std::cos(0.3 * frame), 1.8, 0.4}, {250, 200, 70, 255}, 0.03});
+  shot.arrows.back().shift = {0.02 * frame, -0.01 * frame};
   for (int k = 0; k < frame; ++k) {
-    shot.lines.push_back({{-1.5, 0.1 * k, 1}, {-1.4, 0.1 * k + 0.1, 1}, {255, 210, 120, 180}, 2});
+    shot.lines.push_back({{-1.5, 0.1 * k, 1}, {-1.4, 0.1 * k + 0.1, 1}, {255, 210, 120, 180}, 2, {0, 0.01 * frame}});
   }
   shot.labels.push_back(
       {"t = " + std::to_string(frame / 2), {0.03, 0.1}, {}, 0.06, {}, Align::left, Weight::regular, true});
   shot.labels.push_back({"stands still, over both", {0.5, 0.55}, {}, 0.06, {}, Align::center, Weight::semibold, false});
   return shot;
+}
+
+// Where the pictures are of one size: the largest difference of a level.
+int largest_difference(const Image& a, const Image& b) {
+  int largest = 0;
+  for (std::size_t i = 0; i < a.rgba.size(); ++i) largest = std::max(largest, std::abs(a.rgba[i] - b.rgba[i]));
+  return largest;
+}
+
+Image part(const Image& image, const Rect& rect) {
+  Image result(rect.width, rect.height);
+  for (int y = 0; y < rect.height; ++y) {
+    std::copy_n(image.pixel(rect.x, rect.y + y), 4 * static_cast<std::size_t>(rect.width), result.pixel(0, y));
+  }
+  return result;
+}
+
+// Four books in a row, all in one pose but the last, each with an arrow and a line.
+TEST(Renderer, BooksInARowLookAlikeWhenTheirPosesAre) {
+  constexpr int width = 800;
+  constexpr int height = 200;
+  Shot row;
+  row.camera.eye_W = {0, 2, 10};
+  std::vector<Shot> alone(4, row);
+  for (int b = 0; b < 4; ++b) {
+    const Eigen::Vector2d shift(b - 1.5 + 1e-3, 0.0);  // not a whole number of pixels
+    const Corners corners_W = book_at(b < 3 ? 25 : 75, 40, 10);
+    alone[static_cast<std::size_t>(b)].books.push_back(
+        {corners_W, b == 1 ? BookStyle::ghost : BookStyle::solid, shift});
+    alone[static_cast<std::size_t>(b)].arrows.push_back({{0, 0, 0}, {1.0, 1.0, 1.0}, {250, 200, 70, 255}, 0.03, shift});
+    alone[static_cast<std::size_t>(b)].lines.push_back({{-1, 1, 0}, {1, 1.5, 0}, {255, 210, 120, 255}, 2, shift});
+  }
+  for (const Shot& one : alone) {
+    row.books.push_back(one.books[0]);
+    row.arrows.push_back(one.arrows[0]);
+    row.lines.push_back(one.lines[0]);
+  }
+  const Image picture = draw(row, width, height);
+  const auto place = [](int b) { return Rect{200 * b, 0, 200, height}; };
+  for (int b = 0; b < 4; ++b) {
+    const Image by_itself = draw(alone[static_cast<std::size_t>(b)], width, height);
+    EXPECT_EQ(part(by_itself, place(b)).rgba, part(picture, place(b)).rgba) << b;
+  }
+  EXPECT_LE(largest_difference(part(picture, place(0)), part(picture, place(2))), 16);  // measured 0
+  EXPECT_GT(largest_difference(part(picture, place(0)), part(picture, place(3))), 100);
+}
+
+// At no error a ghost traces its book's edges and changes nothing else: not a pixel beside the book, none of its cover.
+TEST(Renderer, AGhostInItsBooksPoseTracesItsEdges) {
+  Shot shot = shot_of(book_at(20, 30, 5));
+  const Image solid = draw(shot);
+  shot.books.push_back({shot.books[0].corners_W, BookStyle::ghost});
+  const Image traced = draw(shot);
+  const View view(shot.camera, solid.width, solid.height);
+  const Corners& corners_W = shot.books[0].corners_W;
+  const std::array<std::uint8_t, 3> background{shot.background.r, shot.background.g, shot.background.b};
+  int changed = 0;
+  for (int y = 0; y < solid.height; ++y) {
+    for (int x = 0; x < solid.width; ++x) {
+      if (std::equal(solid.pixel(x, y), solid.pixel(x, y) + 3, traced.pixel(x, y))) continue;
+      ++changed;
+      EXPECT_FALSE(std::equal(background.begin(), background.end(), solid.pixel(x, y))) << x << ", " << y;
+    }
+  }
+  EXPECT_GT(changed, 500);
+  EXPECT_LT(changed, 4000);
+  for (double u = 0.15; u < 0.9; u += 0.01) {  // the front cover, 5 % from its edges
+    for (double v = 0.05; v < 0.95; v += 0.01) {
+      const PixelPoint p = view.project(corners_W.col(4) + u * (corners_W.col(5) - corners_W.col(4)) +
+                                        v * (corners_W.col(6) - corners_W.col(4)));
+      const auto x = static_cast<int>(p.x), y = static_cast<int>(p.y);
+      ASSERT_TRUE(std::equal(solid.pixel(x, y), solid.pixel(x, y) + 3, traced.pixel(x, y))) << x << ", " << y;
+    }
+  }
 }
 
 TEST(Renderer, DrawsOnlyWhatChangedAndYetTheSameBytes) {
