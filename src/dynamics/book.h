@@ -15,18 +15,7 @@
 namespace bookspin {
 
 // One row each in integrators.h.
-enum class Integrator {
-  explicit_euler,
-  semi_implicit_euler,
-  velocity_verlet,
-  rk4,
-  composition8,
-  splitting2,
-  splitting4,
-  dmv2,
-  dmv6,
-  dmv10
-};
+enum class Integrator { explicit_euler, semi_implicit_euler, velocity_verlet, rk4, rkn6, stoermer10, splitting4, dmv };
 
 struct BookOptions {
   Eigen::Vector3d size{1.878, 2.9085, 0.5};            // full edge lengths a, b, c along the body axes, > 0
@@ -50,8 +39,12 @@ struct Body {
 // Counts a book's steps: asked once after each, it says whether the state is to be normalized now.
 struct Normalization {
   int every;  // 0: never
-  long steps = 0;
-  [[nodiscard]] bool due() { return every > 0 && ++steps % every == 0; }
+  int since = 0;
+  [[nodiscard]] bool due() {
+    if (every <= 0 || ++since < every) return false;
+    since = 0;
+    return true;
+  }
 };
 
 }  // namespace bookspin

@@ -1,9 +1,10 @@
 // The table of integrators: everything that is to be known of one stands in its row. A new one is a function and a row.
 //
+//   order               halving the step divides the error by 2^order; all_orders: rounding alone is left
 //   matrix, quaternion  whether the method takes it; the springs take each that has a step of theirs
 //   damped              whether springs with damping take it, too
-//   rigid_step          its step of (q_WB, L_B), or null: explicit Euler has books of its own (rigid_book.h)
-//   spring_step         its step of the eight particles, or null
+//   rigid_steps         its steps of (q_WB, L_B), or null: explicit Euler has books of its own (rigid_book.h)
+//   spring_steps        its steps of the eight particles, or null
 #pragma once
 
 #include <array>
@@ -22,9 +23,11 @@ struct IntegratorInfo {
   std::string_view name;  // in scripts
   int order;
   bool matrix, quaternion, damped;
-  RigidStep rigid_step;
-  SpringBook::Step spring_step;
+  RigidSteps rigid_steps;
+  SpringBook::Steps spring_steps;
 };
+
+inline constexpr int all_orders = 99;
 
 inline constexpr auto integrators = [] {
   using enum Integrator;
@@ -32,18 +35,16 @@ inline constexpr auto integrators = [] {
   constexpr bool yes = true;
   constexpr bool no = false;
   // clang-format off
-  return std::array<IntegratorInfo, 10>{{
-    //                                     order matrix quat. damped
-    {explicit_euler,      "explicit_euler",      1, yes, yes, yes, nullptr,         &S::explicit_euler_step},
-    {semi_implicit_euler, "semi_implicit_euler", 1, no,  no,  yes, nullptr,         &S::semi_implicit_euler_step},
-    {velocity_verlet,     "velocity_verlet",     2, no,  no,  no,  nullptr,         &S::verlet_step},
-    {rk4,                 "rk4",                 4, no,  yes, yes, rk4_step,        &S::rk4_step},
-    {composition8,        "composition8",        8, no,  no,  no,  nullptr,         &S::composition8_step},
-    {splitting2,          "splitting2",          2, no,  yes, no,  splitting2_step, nullptr},
-    {splitting4,          "splitting4",          4, no,  yes, no,  splitting4_step, nullptr},
-    {dmv2,                "dmv2",                2, no,  yes, no,  dmv_step,        nullptr},
-    {dmv6,                "dmv6",                6, no,  yes, no,  dmv_step,        nullptr},
-    {dmv10,               "dmv10",              10, no,  yes, no,  dmv_step,        nullptr},
+  return std::array<IntegratorInfo, 8>{{
+    //                                             order matrix quat. damped
+    {explicit_euler,      "explicit_euler",              1, yes, yes, yes, nullptr,          &S::explicit_euler_steps},
+    {semi_implicit_euler, "semi_implicit_euler",         1, no,  no,  yes, nullptr,          &S::semi_implicit_euler_steps},
+    {velocity_verlet,     "velocity_verlet",             2, no,  no,  no,  nullptr,          &S::verlet_steps},
+    {rk4,                 "rk4",                         4, no,  yes, yes, rk4_steps,        &S::rk4_steps},
+    {rkn6,                "rkn6",                        6, no,  no,  no,  nullptr,          &S::rkn6_steps},
+    {stoermer10,          "stoermer10",                 10, no,  no,  no,  nullptr,          &S::stoermer10_steps},
+    {splitting4,          "splitting4",                  4, no,  yes, no,  splitting4_steps, nullptr},
+    {dmv,                 "dmv",                all_orders, no,  yes, no,  dmv_steps,        nullptr},
   }};
   // clang-format on
 }();

@@ -28,7 +28,7 @@ class MatrixBook {
  public:
   explicit MatrixBook(const BookOptions& options);
 
-  void step(double h);  // h: unit of time
+  void step(double h, long n = 1);  // h: unit of time; n such steps
 
   [[nodiscard]] const Eigen::Matrix3d& R_WB() const { return R_WB_; }
   [[nodiscard]] Corners corners_W() const { return R_WB_ * body_.corners_B; }
@@ -46,7 +46,7 @@ class QuaternionBook {
  public:
   explicit QuaternionBook(const BookOptions& options);
 
-  void step(double h);  // h: unit of time
+  void step(double h, long n = 1);  // h: unit of time; n such steps
 
   [[nodiscard]] const Eigen::Quaterniond& q_WB() const { return q_WB_; }
   [[nodiscard]] Corners corners_W() const { return q_WB_.toRotationMatrix() * body_.corners_B; }

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "dynamics/integrators.h"
-#include "dynamics/rigid_book.h"
 
 namespace bookspin {
 
@@ -16,15 +15,11 @@ FreeBook::FreeBook(const BookOptions& options)
       normalization_{options.normalize_every},
       state_{Eigen::Quaterniond::Identity(), body_.I_B.cwiseProduct(options.omega_W)},
       integrator_(options.integrator),
-      step_(step_of(options.integrator, &IntegratorInfo::rigid_step)) {}
+      steps_(step_of(options.integrator, &IntegratorInfo::rigid_steps)) {}
 
-void FreeBook::step(double h) {
-  if (h != h_) {
-    step_moments_ = step_moments(integrator_, body_.I_B, state_.L_B, h);
-    h_ = h;
-  }
-  step_(state_, step_moments_, h);
-  if (normalization_.due()) normalize(state_.q_WB);
+void FreeBook::step(double h, long n) {
+  if (h != plan_.h) plan_ = rigid_plan(integrator_, body_.I_B, state_.L_B, h);
+  steps_(state_, plan_, n, normalization_);
 }
 
 ExactBook::ExactBook(BookOptions options)

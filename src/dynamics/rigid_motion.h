@@ -20,7 +20,7 @@ class FreeBook {
  public:
   explicit FreeBook(const BookOptions& options);
 
-  void step(double h);  // h: unit of time
+  void step(double h, long n = 1);  // h: unit of time; n such steps
 
   [[nodiscard]] const Eigen::Quaterniond& q_WB() const { return state_.q_WB; }
   [[nodiscard]] const Eigen::Vector3d& L_B() const { return state_.L_B; }
@@ -33,9 +33,8 @@ class FreeBook {
   Normalization normalization_;
   RigidState state_;
   Integrator integrator_;
-  RigidStep step_;
-  double h_ = 0.0;                // the step that step_moments_ is for; 0: none yet
-  Eigen::Vector3d step_moments_;  // for steps h_
+  RigidSteps steps_;
+  RigidPlan plan_;
 };
 
 class ExactBook {

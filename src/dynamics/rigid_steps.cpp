@@ -1,169 +1,346 @@
 #include "dynamics/rigid_steps.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <tuple>
 
-#include "dynamics/composition.h"
+#include "dynamics/rigid_book.h"
+#include "dynamics/torque_free_theta.h"
 
 namespace bookspin {
 namespace {
 
+using Eigen::Vector3d;
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// Turns the body by F in its own axes; F a unit quaternion.
-void turn(RigidState& state, const Eigen::Quaterniond& F) {
-  state.q_WB = state.q_WB * F;
-  const Eigen::Vector3d t = 2.0 * F.vec().cross(state.L_B);
-  state.L_B += F.vec().cross(t) - F.w() * t;
+// Scalars, not Eigen's vectors: they stay in registers from step to step.
+struct Scalars {
+  double w, x, y, z;  // q_WB
+  double Lx, Ly, Lz;  // L_B
+};
+
+// q = q / |q|. Near 1 by the series of the root, which is ready sooner.
+[[gnu::always_inline]] inline void normalize(Scalars& s) {
+  const double excess = (s.w * s.w + s.x * s.x) + (s.y * s.y + s.z * s.z) - 1.0;
+  const double scale = 1.0 - excess * (0.5 - 0.375 * excess);
+  if (!(std::abs(excess) < 1e-6)) {
+    Eigen::Quaterniond q(s.w, s.x, s.y, s.z);
+    bookspin::normalize(q);
+    s = {q.w(), q.x(), q.y(), q.z(), s.Lx, s.Ly, s.Lz};
+    return;
+  }
+  s.w *= scale;
+  s.x *= scale;
+  s.y *= scale;
+  s.z *= scale;
 }
 
-Eigen::Quaterniond rotation(const Eigen::Vector3d& angle) {
-  const double size = angle.norm();
-  Eigen::Quaterniond F;
-  F.w() = std::cos(0.5 * size);
-  F.vec() = (size > 0.0 ? std::sin(0.5 * size) / size : 0.5) * angle;
-  return F;
+// Nothing goes through memory from step to step: the counter is a copy, and the step is inlined.
+template <class Step>
+[[gnu::always_inline]] inline void repeat(Scalars& s, long n, Normalization& normalization, const Step& step) {
+  Normalization count = normalization;
+  for (; n > 0; --n) {
+    step(s);
+    if (count.due()) normalize(s);
+  }
+  normalization = count;
 }
 
-Eigen::Quaterniond rotation_about(int axis, double angle) {
-  Eigen::Quaterniond F(std::cos(0.5 * angle), 0.0, 0.0, 0.0);
-  F.vec()(axis) = std::sin(0.5 * angle);
-  return F;
+template <class Step>
+[[gnu::always_inline]] inline void repeat(RigidState& state, long n, Normalization& normalization, const Step& step) {
+  auto& [q, L] = state;
+  Scalars s{q.w(), q.x(), q.y(), q.z(), L.x(), L.y(), L.z()};
+  repeat(s, n, normalization, step);
+  q = {s.w, s.x, s.y, s.z};
+  L = {s.Lx, s.Ly, s.Lz};
 }
 
-using Rates = Eigen::Matrix<double, 7, 1>;  // of q (x, y, z, w) and L_B
+// q F, F = w + x i + y j + z k.
+[[gnu::always_inline]] inline void turn(Scalars& s, double w, double x, double y, double z) {
+  s = {s.w * w - s.x * x - s.y * y - s.z * z,
+       s.w * x + s.x * w + s.y * z - s.z * y,
+       s.w * y + s.y * w + s.z * x - s.x * z,
+       s.w * z + s.z * w + s.x * y - s.y * x,
+       s.Lx,
+       s.Ly,
+       s.Lz};
+}
 
-Rates rates(const Rates& at, const Eigen::Vector3d& I_B) {
-  const Eigen::Vector3d L_B = at.tail<3>();
-  const Eigen::Vector3d omega_B = L_B.cwiseQuotient(I_B);
-  const Eigen::Quaterniond q(at(3), at(0), at(1), at(2));
-  Rates d;
-  d.head<4>() = 0.5 * (q * Eigen::Quaterniond(0.0, omega_B.x(), omega_B.y(), omega_B.z())).coeffs();
-  d.tail<3>() = L_B.cross(omega_B);
-  return d;
+// The curve on which L_B runs, sphere |L_B| and ellipsoid 2 E, by where it crosses L_b = 0: at (A_a, 0, A_c) and its
+// mirror images. b is the axis of the middle moment, (a, b, c) are right-handed. In units of the largest component.
+struct Orbit {
+  int a, b, c;
+  double f_a, f_c;             // f_a / I_a + f_c / I_c = 1 / I_b, f_a + f_c = 1
+  double unit, A_a, A_b, A_c;  // A_b: the largest |L_b|
+
+  Orbit(const Vector3d& I, const Vector3d& L) : b(0), unit(L.cwiseAbs().maxCoeff()) {
+    while ((I(b) - I((b + 1) % 3)) * (I(b) - I((b + 2) % 3)) > 0.0) ++b;
+    a = (b + 2) % 3;
+    c = (b + 1) % 3;
+    const double gap = I(c) - I(a);
+    f_a = gap == 0.0 ? 0.5 : (I(c) - I(b)) / gap * (I(a) / I(b));
+    f_c = gap == 0.0 ? 0.5 : (I(b) - I(a)) / gap * (I(c) / I(b));
+    const Vector3d l = L / unit;
+    A_a = std::sqrt(l(a) * l(a) + f_a * l(b) * l(b));
+    A_c = std::sqrt(l(c) * l(c) + f_c * l(b) * l(b));
+    const auto largest = [](double A, double f) {
+      return f > 0.0 ? A * A / f : std::numeric_limits<double>::infinity();
+    };
+    A_b = std::sqrt(std::min(largest(A_a, f_a), largest(A_c, f_c)));
+  }
+
+  // The largest |omega|: omega^2 is linear in L_b^2, so it is where L_b = 0 or where L_b^2 is largest.
+  [[nodiscard]] double fastest(const Vector3d& I) const {
+    const auto omega2 = [&](double L_b2) {
+      return (A_a * A_a - f_a * L_b2) / I(a) / I(a) + L_b2 / I(b) / I(b) + (A_c * A_c - f_c * L_b2) / I(c) / I(c);
+    };
+    return unit * std::sqrt(std::max(omega2(0.0), omega2(A_b * A_b)));
+  }
+};
+
+// dL_1/dt = pull_1 L_2 L_3, and cyclically: 1 / I_3 - 1 / I_2, without cancellation.
+Vector3d pulls(const Vector3d& I) {
+  return {(I.y() - I.z()) / I.y() / I.z(), (I.z() - I.x()) / I.z() / I.x(), (I.x() - I.y()) / I.x() / I.y()};
+}
+
+// sum of p_i q_(n-i), i = 0 ... n.
+using Series = std::array<double, 40>;
+double convolution(const Series& p, const Series& q, std::size_t n) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i <= n; ++i) sum += p[i] * q[n - i];
+  return sum;
+}
+
+// The discrete Moser-Veselov motion runs on the same curve if 1 / J = s / I + d. The two numbers follow from one exact
+// step F, and from the one that is halved where L_b = 0 they follow in closed form: its e = F / F_w has e_b = 0, and the
+// equation of dmv_steps reads e_a J_a = (1 + e^2) h L_a / 2, the same with c. F is a Taylor series from there.
+Vector3d dmv_moments(const Vector3d& I, const Vector3d& L_B, double h) {
+  const Orbit orbit(I, L_B);
+  const auto [a, b, c, f_a, f_c, unit, A_a, A_b, A_c] = orbit;
+  if (unit == 0.0) return I;
+  if (!(std::abs(h) * orbit.fastest(I) < 0.5 * std::numbers::pi)) return Vector3d::Constant(nan);
+  const double t = 0.5 * h * unit;
+  const Vector3d rate = t * I.cwiseInverse();
+  const Vector3d pull = t * pulls(I);
+  // Of L and of q = (w, x, y, z) in powers of time squared; L_b, x and z are odd and have a factor of time before it.
+  // An axis along which there is nothing counts as hardly anything: what is left is the limit.
+  Series L_a{std::max(A_a, 1e-20)}, L_b{}, L_c{std::max(A_c, 1e-20)}, w{1.0}, x{}, y{}, z{};
+  Vector3d L = Vector3d::Zero();
+  double W = 0.0, X = 0.0, Y = 0.0, Z = 0.0;
+  for (std::size_t n = 0;; ++n) {
+    const auto odd = 2.0 * static_cast<double>(n) + 1.0;
+    L_b[n] = pull(b) * convolution(L_c, L_a, n) / odd;
+    x[n] = rate(a) * convolution(w, L_a, n) + rate(c) * convolution(y, L_c, n);
+    z[n] = rate(c) * convolution(w, L_c, n) - rate(a) * convolution(y, L_a, n);
+    if (n > 0) {
+      x[n] -= rate(b) * convolution(z, L_b, n - 1);
+      z[n] += rate(b) * convolution(x, L_b, n - 1);
+    }
+    x[n] *= 0.5 / odd;
+    z[n] *= 0.5 / odd;
+    L += Vector3d(L_a[n], L_b[n], L_c[n]);
+    W += w[n];
+    X += x[n];
+    Y += y[n];
+    Z += z[n];
+    constexpr double rest = 1e-18;
+    if (std::abs(L_a[n]) < rest * L_a[0] && std::abs(L_c[n]) < rest * L_c[0] &&
+        std::abs(x[n]) < rest * std::abs(x[0]) && std::abs(z[n]) < rest * std::abs(z[0]))
+      break;
+    if (n + 1 == L_a.size()) return Vector3d::Constant(nan);
+    L_a[n + 1] = pull(a) * convolution(L_b, L_c, n) / (odd + 1.0);
+    L_c[n + 1] = pull(c) * convolution(L_a, L_b, n) / (odd + 1.0);
+    w[n + 1] =
+        -0.5 *
+        (rate(a) * convolution(x, L_a, n) + rate(b) * convolution(y, L_b, n) + rate(c) * convolution(z, L_c, n)) /
+        (odd + 1.0);
+    y[n + 1] =
+        0.5 * (rate(b) * convolution(w, L_b, n) + rate(a) * convolution(z, L_a, n) - rate(c) * convolution(x, L_c, n)) /
+        (odd + 1.0);
+  }
+  // From time -1 to time 1.
+  const double F_w = W * W - X * X + Y * Y - Z * Z;
+  const double F_a = 2.0 * (W * X - Y * Z);
+  const double F_c = 2.0 * (W * Z + X * Y);
+  Vector3d J;
+  J(a) = t * L(0) / (F_w * F_a);
+  J(c) = t * L(2) / (F_w * F_c);
+  J(b) = 1.0 / (f_a / J(a) + f_c / J(c));
+  return J;
+}
+
+// The axes of splitting4. Of the six choices the one for which the two commutators that a step leaves out are least, on
+// the largest L along each axis: which it is depends on where L is, and not on the moments alone.
+void choose_axes(const Vector3d& I, const Vector3d& L_B, RigidPlan& plan) {
+  const Orbit orbit(I, L_B);
+  Vector3d square;
+  square(orbit.a) = orbit.A_a * orbit.A_a;
+  square(orbit.b) = orbit.A_b * orbit.A_b;
+  square(orbit.c) = orbit.A_c * orbit.A_c;
+  double least = std::numeric_limits<double>::infinity();
+  for (int top = 0; top < 3; ++top) {
+    for (const int kicked : {(top + 1) % 3, (top + 2) % 3}) {
+      const int partner = 3 - top - kicked;
+      const double kick = std::abs(1.0 / I(kicked) - 1.0 / I(partner));
+      const double spin = std::abs(1.0 / I(top) - 1.0 / I(partner));
+      const double left_out = kick * spin *
+                              (2.0 * spin * square(top) * (square(kicked) + square(partner)) +
+                               kick * square(kicked) * (square(top) + square(partner)));
+      if (left_out < least) {
+        least = left_out;
+        plan.kicked = kicked;
+        plan.partner = partner;
+        plan.top = top;
+      }
+    }
+  }
 }
 
 }  // namespace
 
-void rk4_step(RigidState& state, const Eigen::Vector3d& I_B, double h) {
-  Rates s;
-  s << state.q_WB.coeffs(), state.L_B;
-  const Rates k1 = rates(s, I_B);
-  const Rates k2 = rates(s + 0.5 * h * k1, I_B);
-  const Rates k3 = rates(s + 0.5 * h * k2, I_B);
-  const Rates k4 = rates(s + h * k3, I_B);
-  s += (h / 6.0) * (k1 + 2.0 * (k2 + k3) + k4);
-  state.q_WB.coeffs() = s.head<4>();
-  state.L_B = s.tail<3>();
+RigidPlan rigid_plan(Integrator integrator, const Vector3d& I_B, const Vector3d& L_B, double h) {
+  RigidPlan plan;
+  plan.h = h;
+  plan.I_B = I_B;
+  if (integrator == Integrator::dmv) plan.dmv_moments = dmv_moments(I_B, L_B, h);
+  if (integrator == Integrator::splitting4) choose_axes(I_B, L_B, plan);
+  return plan;
 }
 
-// H = top + kick: the top has the moment of axis i about axis j too; the kick is what that leaves out,
-// (1/I_j - 1/I_i) L_j^2 / 2. The two axes with the nearest 1/I make the kick smallest: of the six choices never the
-// worst, within 2.5 times the best error where the worst is 40 times (measured on the book and a less regular body).
-// Rotating about the three axes in turn is no better.
-void splitting2_step(RigidState& state, const Eigen::Vector3d& I_B, double h) {
-  const Eigen::Vector3d a = I_B.cwiseInverse();
-  int symmetry = 0;
-  for (int d = 1; d < 3; ++d) {
-    if (std::abs(a((d + 1) % 3) - a((d + 2) % 3)) < std::abs(a((symmetry + 1) % 3) - a((symmetry + 2) % 3)))
-      symmetry = d;
-  }
-  const int i = (symmetry + 1) % 3;
-  const int j = (symmetry + 2) % 3;
-  const double kick = 0.5 * h * (a(j) - a(i));
-  turn(state, rotation_about(j, kick * state.L_B(j)));
-  state.q_WB = state.q_WB * rotation(h * a(i) * state.L_B);  // about L itself: L_B stays
-  turn(state, rotation_about(symmetry, h * (a(symmetry) - a(i)) * state.L_B(symmetry)));
-  turn(state, rotation_about(j, kick * state.L_B(j)));
+void rk4_steps(RigidState& state, const RigidPlan& plan, long n, Normalization& normalization) {
+  const Vector3d half = 0.5 * plan.I_B.cwiseInverse();
+  const Vector3d pull = pulls(plan.I_B);
+  const double h = plan.h;
+  const auto rates = [ax = half.x(), ay = half.y(), az = half.z(), bx = pull.x(), by = pull.y(),
+                      bz = pull.z()](const Scalars& s) -> Scalars {
+    const double p = s.Lx * ax;  // omega / 2
+    const double q = s.Ly * ay;
+    const double r = s.Lz * az;
+    return {-(s.x * p + s.y * q + s.z * r),
+            s.w * p + s.y * r - s.z * q,
+            s.w * q + s.z * p - s.x * r,
+            s.w * r + s.x * q - s.y * p,
+            bx * (s.Ly * s.Lz),
+            by * (s.Lz * s.Lx),
+            bz * (s.Lx * s.Ly)};
+  };
+  const auto moved = [](const Scalars& s, double by, const Scalars& d) -> Scalars {
+    return {s.w + by * d.w,   s.x + by * d.x,   s.y + by * d.y,  s.z + by * d.z,
+            s.Lx + by * d.Lx, s.Ly + by * d.Ly, s.Lz + by * d.Lz};
+  };
+  repeat(state, n, normalization, [=](Scalars& s) {
+    const Scalars k1 = rates(s);
+    const Scalars k2 = rates(moved(s, 0.5 * h, k1));
+    const Scalars k3 = rates(moved(s, 0.5 * h, k2));
+    const Scalars k4 = rates(moved(s, h, k3));
+    s = moved(s, h / 6.0, moved(moved(k1, 1.0, k4), 2.0, moved(k2, 1.0, k3)));
+  });
 }
 
-void splitting4_step(RigidState& state, const Eigen::Vector3d& I_B, double h) {
-  for (const double fraction : suzuki_order_4) splitting2_step(state, I_B, fraction * h);
+// Turns the body by so many half quarter turns about axis 1 of the right-handed axes 1, 2, 3.
+[[gnu::always_inline]] inline void roll(double half_angle, double& w, double& q1, double& q2, double& q3, double& L2,
+                                        double& L3) {
+  const auto [S, C] = sincos_of_quarters<double>(half_angle);
+  std::tie(w, q1) = std::pair(w * C - q1 * S, q1 * C + w * S);
+  std::tie(q2, q3) = std::pair(q2 * C + q3 * S, q3 * C - q2 * S);
+  const double sine = 2.0 * S * C;
+  const double cosine = (C - S) * (C + S);
+  std::tie(L2, L3) = std::pair(L2 * cosine + L3 * sine, L3 * cosine - L2 * sine);
+}
+
+// H = top + kick: the top has the partner's moment about the kicked axis too; the kick is what that leaves out,
+// (1/I_kicked - 1/I_partner) L_kicked^2 / 2. The top turns about its axis and, whatever the others do, about L.
+void splitting4_steps(RigidState& state, const RigidPlan& plan, long n, Normalization& normalization) {
+  const auto [top, partner, kicked] = std::tuple(plan.top, plan.partner, plan.kicked);
+  const Vector3d half_turn = plan.h / std::numbers::pi * plan.I_B.cwiseInverse();  // in quarter turns, over L
+  const double top_rate = half_turn(top) - half_turn(partner);
+  const double kick_rate = half_turn(kicked) - half_turn(partner);
+  auto& [q, L] = state;
+  const double size = L.norm();
+  const auto about_L = sincos_of_quarters<double>(half_turn(partner) * size);
+  const double along = size > 0.0 ? about_L.sin / size : 0.0;
+  // x, y, z: top, partner, kicked; where they are left-handed, the opposite of all vectors.
+  const double sign = partner == (top + 1) % 3 ? 1.0 : -1.0;
+  const Vector3d v = sign * q.vec();
+  const Vector3d l = sign * L;
+  Scalars now{q.w(), v(top), v(partner), v(kicked), l(top), l(partner), l(kicked)};
+  constexpr double outer = 0.41449077179437573714;
+  constexpr double inner = 1.0 - 4.0 * outer;
+  repeat(now, n, normalization, [=](Scalars& s) {
+    turn(s, about_L.cos, along * s.Lx, along * s.Ly, along * s.Lz);
+    double before = 0.0;
+    for (const double fraction : {outer, outer, inner, outer, outer}) {
+      roll(0.5 * (before + fraction) * kick_rate * s.Lz, s.w, s.z, s.x, s.y, s.Lx, s.Ly);
+      roll(fraction * top_rate * s.Lx, s.w, s.x, s.y, s.z, s.Ly, s.Lz);
+      before = fraction;
+    }
+    roll(0.5 * outer * kick_rate * s.Lz, s.w, s.z, s.x, s.y, s.Lx, s.Ly);
+  });
+  q.w() = now.w;
+  q.vec()(top) = sign * now.x;
+  q.vec()(partner) = sign * now.y;
+  q.vec()(kicked) = sign * now.z;
+  L(top) = sign * now.Lx;
+  L(partner) = sign * now.Ly;
+  L(kicked) = sign * now.Lz;
 }
 
 // With F = (1, e) / sqrt(1 + e^2) the matrix equation reads, and cyclically,
 //   e_1 I_1 + (I_3 - I_2) e_2 e_3 = (1 + e^2) h L_1 / 2.
 // Newton's iteration from the second-order guess converges in 2 or 3 rounds; the solution that tends to 0 with h has
 // |e| < 1.
-void dmv_step(RigidState& state, const Eigen::Vector3d& I, double h) {
-  const Eigen::Vector3d half = 0.5 * h * state.L_B;
-  const Eigen::Vector3d omega = state.L_B.cwiseQuotient(I);
-  Eigen::Vector3d e = (half + 0.5 * h * half.cross(omega)).cwiseQuotient(I);
-  const Eigen::Vector3d gap(I.z() - I.y(), I.x() - I.z(), I.y() - I.x());
-  bool solved = false;
-  for (int round = 0; round < 20 && !solved && e.allFinite(); ++round) {
-    const Eigen::Vector3d coupling(e.y() * e.z(), e.z() * e.x(), e.x() * e.y());
-    const Eigen::Vector3d residual = e.cwiseProduct(I) + gap.cwiseProduct(coupling) - (1.0 + e.squaredNorm()) * half;
-    Eigen::Matrix3d J;
-    J << I.x(), gap.x() * e.z(), gap.x() * e.y(),  //
-        gap.y() * e.z(), I.y(), gap.y() * e.x(),   //
-        gap.z() * e.y(), gap.z() * e.x(), I.z();
-    J -= 2.0 * half * e.transpose();
-    const Eigen::Vector3d correction = J.inverse() * residual;
-    e -= correction;
-    solved = correction.squaredNorm() <= 1e-18 * e.squaredNorm();  // the error is now the square of the correction
-  }
-  if (!solved || !(e.squaredNorm() < 1.0)) {
-    state = {Eigen::Quaterniond(nan, nan, nan, nan), Eigen::Vector3d::Constant(nan)};
-    return;
-  }
-  const double w = 1.0 / std::sqrt(1.0 + e.squaredNorm());
-  turn(state, Eigen::Quaterniond(w, w * e.x(), w * e.y(), w * e.z()));
-}
-
-// 1 / moment_j = s / I_j + d, with s = 1 + h^2 s3 + h^4 s5 + ..., d = h^2 d3 + h^4 d5 + ...; s_k and d_k are
-// polynomials in H = sum L_j^2 / (2 I_j), C = sum L_j^2 / 2 and the elementary symmetric functions of the 1 / I_j.
-// s3 and d3 are as Hairer & Vilmart print them; tools/dmv_moments.py derives all of them.
-Eigen::Vector3d step_moments(Integrator integrator, const Eigen::Vector3d& I_B, const Eigen::Vector3d& L_B, double h) {
-  if (integrator != Integrator::dmv6 && integrator != Integrator::dmv10) return I_B;
-  const Eigen::Vector3d a = I_B.cwiseInverse();
-  const double e1 = a.sum();
-  const double e2 = a.x() * a.y() + a.y() * a.z() + a.z() * a.x();
-  const double e3 = a.prod();
-  const double C = 0.5 * h * h * L_B.squaredNorm();  // with the powers of h
-  const double H = 0.5 * h * h * L_B.dot(L_B.cwiseProduct(a));
-  // A thin rod: the terms cancel, only rounding is left.
-  if (!(C * e2 + H * e1 < 100.0)) return Eigen::Vector3d::Constant(nan);
-  double s = 1.0 + C * e2 / 6 - H * e1 / 3;
-  double d = -C * e3 / 3 + H * e2 / 6;
-  s += C * C * (e2 * e2 / 30 - e1 * e3 / 10) + H * C * (-e1 * e2 / 30 + e3 * 2 / 15) + H * H * (e1 * e1 / 30 - e2 / 60);
-  d += -C * C * e2 * e3 / 60 + H * C * (-e2 * e2 / 60 + e1 * e3 * 2 / 15) - H * H * (e1 * e2 / 60 + e3 / 10);
-  if (integrator == Integrator::dmv10) {
-    s += C * C * C * (e2 * e2 * e2 * 17 / 2520 - e1 * e2 * e3 * 11 / 420 + e3 * e3 * 5 / 126) +
-         H * C * C * (-e1 * e2 * e2 / 70 + e1 * e1 * e3 * 11 / 210 - e2 * e3 / 84) +
-         H * H * C * (e1 * e1 * e2 / 420 + e2 * e2 * 41 / 2520 - e1 * e3 * 53 / 630) +
-         H * H * H * (-e1 * e1 * e1 / 630 + e1 * e2 / 630 + e3 / 35);
-    d += C * C * C * (-e2 * e2 * e3 * 19 / 2520 + e1 * e3 * e3 / 35) +
-         H * C * C * (e2 * e2 * e2 / 1260 - e1 * e2 * e3 / 1260 - e3 * e3 * 22 / 315) +
-         H * H * C * (e1 * e2 * e2 * 13 / 2520 - e1 * e1 * e3 * 8 / 315 + e2 * e3 * 11 / 252) +
-         H * H * H * (e1 * e1 * e2 / 1260 - e2 * e2 * 13 / 1260 + e1 * e3 / 42);
-    s += C * C * C * C *
-             (e2 * e2 * e2 * e2 * 31 / 22680 - e1 * e2 * e2 * e3 * 19 / 2520 + e1 * e1 * e3 * e3 / 120 +
-              e2 * e3 * e3 * 97 / 15120) +
-         H * C * C * C *
-             (-e1 * e2 * e2 * e2 * 11 / 3240 + e1 * e1 * e2 * e3 * 17 / 1260 + e2 * e2 * e3 * 47 / 7560 -
-              e1 * e3 * e3 * 47 / 945) +
-         H * H * C * C *
-             (e1 * e1 * e2 * e2 * 13 / 3780 - e1 * e1 * e1 * e3 * 17 / 1260 + e2 * e2 * e2 / 2520 + e1 * e2 * e3 / 252 +
-              e3 * e3 * 53 / 1260) +
-         H * H * H * C *
-             (-e1 * e1 * e1 * e2 / 11340 - e1 * e2 * e2 * 11 / 1890 + e1 * e1 * e3 * 23 / 945 - e2 * e3 * 23 / 1260) +
-         H * H * H * H * (e1 * e1 * e1 * e1 / 22680 - e1 * e1 * e2 / 15120 + e2 * e2 * 17 / 5040 - e1 * e3 * 3 / 280);
-    d += C * C * C * C * (-e2 * e2 * e2 * e3 * 61 / 45360 + e1 * e2 * e3 * e3 * 3 / 560 - e3 * e3 * e3 * 61 / 4536) +
-         H * C * C * C *
-             (-e2 * e2 * e2 * e2 / 45360 + e1 * e2 * e2 * e3 * 37 / 7560 - e1 * e1 * e3 * e3 * 2 / 105 +
-              e2 * e3 * e3 * 19 / 1260) +
-         H * H * C * C *
-             (-e1 * e2 * e2 * e2 / 1512 + e1 * e1 * e2 * e3 * 19 / 7560 - e2 * e2 * e3 * 19 / 1080 +
-              e1 * e3 * e3 * 89 / 1890) +
-         H * H * H * C *
-             (-e1 * e1 * e2 * e2 / 1512 + e1 * e1 * e1 * e3 * 8 / 2835 + e2 * e2 * e2 * 97 / 22680 -
-              e1 * e2 * e3 * 23 / 1890 - e3 * e3 / 35) +
-         H * H * H * H * (-e1 * e1 * e1 * e2 / 45360 - e1 * e2 * e2 / 7560 - e1 * e1 * e3 / 360 + e2 * e3 * 17 / 1680);
-  }
-  const Eigen::Array3d change = s + d * I_B.array();  // of 1 / moment
-  if (!((change > 0.5).all() && (change < 1.5).all())) return Eigen::Vector3d::Constant(nan);
-  return I_B.array() / change;
+void dmv_steps(RigidState& state, const RigidPlan& plan, long n, Normalization& normalization) {
+  const double I1 = plan.dmv_moments.x(), I2 = plan.dmv_moments.y(), I3 = plan.dmv_moments.z();
+  const double gap1 = I3 - I2, gap2 = I1 - I3, gap3 = I2 - I1;
+  const double a1 = 1.0 / I1, a2 = 1.0 / I2, a3 = 1.0 / I3;
+  const double half_h = 0.5 * plan.h;
+  const double change1 = gap1 * 2.0 / half_h, change2 = gap2 * 2.0 / half_h, change3 = gap3 * 2.0 / half_h;
+  repeat(state, n, normalization, [=](Scalars& s) {
+    const double l1 = half_h * s.Lx, l2 = half_h * s.Ly, l3 = half_h * s.Lz;
+    const double w1 = l1 * a1, w2 = l2 * a2, w3 = l3 * a3;
+    double e1 = (l1 + (l2 * w3 - l3 * w2)) * a1;
+    double e2 = (l2 + (l3 * w1 - l1 * w3)) * a2;
+    double e3 = (l3 + (l1 * w2 - l2 * w1)) * a3;
+    double size = 0.0;
+    bool solved = false;
+    for (int round = 0; round < 20 && !solved; ++round) {
+      size = 1.0 + e1 * e1 + e2 * e2 + e3 * e3;
+      const double r1 = e1 * I1 + gap1 * (e2 * e3) - size * l1;
+      const double r2 = e2 * I2 + gap2 * (e3 * e1) - size * l2;
+      const double r3 = e3 * I3 + gap3 * (e1 * e2) - size * l3;
+      const double d1 = 2.0 * e1, d2 = 2.0 * e2, d3 = 2.0 * e3;
+      // J = (u, v, w): columns of the derivative.
+      const double u1 = I1 - d1 * l1, u2 = gap2 * e3 - d1 * l2, u3 = gap3 * e2 - d1 * l3;
+      const double v1 = gap1 * e3 - d2 * l1, v2 = I2 - d2 * l2, v3 = gap3 * e1 - d2 * l3;
+      const double p1 = gap1 * e2 - d3 * l1, p2 = gap2 * e1 - d3 * l2, p3 = I3 - d3 * l3;
+      const double n1 = v2 * p3 - v3 * p2, n2 = v3 * p1 - v1 * p3, n3 = v1 * p2 - v2 * p1;  // v x p
+      const double m1 = r2 * u3 - r3 * u2, m2 = r3 * u1 - r1 * u3, m3 = r1 * u2 - r2 * u1;  // r x u
+      const double over = 1.0 / (u1 * n1 + u2 * n2 + u3 * n3);
+      const double c1 = over * (r1 * n1 + r2 * n2 + r3 * n3);
+      const double c2 = -over * (p1 * m1 + p2 * m2 + p3 * m3);
+      const double c3 = over * (v1 * m1 + v2 * m2 + v3 * m3);
+      e1 -= c1;
+      e2 -= c2;
+      e3 -= c3;
+      solved = c1 * c1 + c2 * c2 + c3 * c3 <= 1e-18 * (size - 1.0);
+    }
+    size = e1 * e1 + e2 * e2 + e3 * e3;
+    if (!solved || !(size < 1.0)) {
+      s = {nan, nan, nan, nan, nan, nan, nan};
+      return;
+    }
+    // L' = F^T L, with the equation used once more: a small component keeps its digits.
+    const double square = 1.0 / (1.0 + size);
+    s.Lx -= square * change1 * (e2 * e3);
+    s.Ly -= square * change2 * (e3 * e1);
+    s.Lz -= square * change3 * (e1 * e2);
+    const double w = std::sqrt(square);
+    turn(s, w, w * e1, w * e2, w * e3);
+  });
 }
 
 }  // namespace bookspin

@@ -1,15 +1,14 @@
-// One step of the free rigid body on the state (q_WB, L_B): the methods beyond the paper's.
+// Steps of the free rigid body on the state (q_WB, L_B): the methods beyond the paper's.
 //
 //   q_WB' = q_WB omega_B / 2,  L_B' = L_B x omega_B,  omega_B = L_B / I_B.
 //
 // L_B keeps a small component's digits, which L_W would lose: a kick of 1e-15 still decides when the book flips.
 // All but rk4 turn L_B by the inverse of what they turn q_WB by: L_W changes by rounding alone.
 //   rk4         the classical method
-//   splitting2  kick, free symmetric top, kick; splitting4: five of them (Suzuki)
-//   dmv2        discrete Moser-Veselov: h [L_B] = F D - D F^T, L_B' = F^T L_B, q' = q F; dmv6, dmv10: the same with
-//               moments preprocessed for the step (Hairer & Vilmart, J. Phys. A 39 (2006) 13225)
-// Nothing throws. A DMV step beyond its reach leaves NaN: h |omega| over 0.9 to 1.1 (dmv2), over 1.2 to 1.5 (dmv6, 10),
-// the more different the moments the sooner; dmv6 and dmv10 sooner still for very thin rods.
+//   splitting4  kick, free symmetric top, kick, five times (Suzuki's composition of order 4)
+//   dmv         discrete Moser-Veselov: h [L_B] = F D - D F^T, L_B' = F^T L_B, q' = q F, with the moments for which the
+//               step is the motion itself (that they exist: Hairer & Vilmart, J. Phys. A 39 (2006) 13225)
+// Nothing throws. Beyond DMV's reach, h |omega| = pi / 2 at the fastest of this |L| and energy, the state is NaN.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,16 +18,23 @@
 
 namespace bookspin {
 
-using RigidStep = void (*)(RigidState& state, const Eigen::Vector3d& step_moments, double h);
+// What steps of one size need, from the motion that passes through one state.
+struct RigidPlan {
+  double h = 0.0;  // 0: of no step yet
+  Eigen::Vector3d I_B{1.0, 1.0, 1.0};
+  Eigen::Vector3d dmv_moments{1.0, 1.0, 1.0};  // dmv alone
+  // splitting4 alone: the axes of the kick, of the moment that the top has there, and of the top's symmetry.
+  int kicked = 0, partner = 1, top = 2;
+};
 
-void rk4_step(RigidState& state, const Eigen::Vector3d& I_B, double h);
-void splitting2_step(RigidState& state, const Eigen::Vector3d& I_B, double h);
-void splitting4_step(RigidState& state, const Eigen::Vector3d& I_B, double h);
-void dmv_step(RigidState& state, const Eigen::Vector3d& step_moments, double h);
+[[nodiscard]] RigidPlan rigid_plan(Integrator integrator, const Eigen::Vector3d& I_B, const Eigen::Vector3d& L_B,
+                                   double h);
 
-// The moments to step with: I_B itself, or what dmv6 and dmv10 put in its place for steps h of the motion through L_B;
-// NaN where their series are not to be trusted: a moment would change by more than half.
-[[nodiscard]] Eigen::Vector3d step_moments(Integrator integrator, const Eigen::Vector3d& I_B,
-                                           const Eigen::Vector3d& L_B, double h);
+// n steps; q_WB is normalized whenever it is due.
+using RigidSteps = void (*)(RigidState& state, const RigidPlan& plan, long n, Normalization& normalization);
+
+void rk4_steps(RigidState& state, const RigidPlan& plan, long n, Normalization& normalization);
+void splitting4_steps(RigidState& state, const RigidPlan& plan, long n, Normalization& normalization);
+void dmv_steps(RigidState& state, const RigidPlan& plan, long n, Normalization& normalization);
 
 }  // namespace bookspin

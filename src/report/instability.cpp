@@ -48,7 +48,7 @@ void follow(const Solver& solver, const BookOptions& options, double T, Look&& l
           if (!look(t, best_fit_orientation(book.corners_W(), corners_B).conjugate() * book.angular_momentum_W()))
             return;
           if constexpr (requires { book.step(h); }) {
-            for (int i = 0; i < steps_a_sample; ++i) book.step(h);
+            book.step(h, steps_a_sample);
           }
         }
       },

@@ -116,7 +116,7 @@ struct Stepped {
   long evaluations = 0;
 
   bool to(int /*sample*/) {
-    for (long i = 0; i < steps; ++i) state.step(h);
+    state.step(h, steps);
     evaluations += steps * evaluations_a_step;
     return true;
   }

@@ -24,7 +24,9 @@ struct OdeintRk4 {
   State x;
   boost::numeric::odeint::runge_kutta4<State> stepper{};
 
-  void step(double h) { stepper.do_step(system, x, 0.0, h); }
+  void step(double h, long n = 1) {
+    for (; n > 0; --n) stepper.do_step(system, x, 0.0, h);
+  }
 };
 
 template <class Stepper, class State, class System>

@@ -68,8 +68,8 @@ int evaluations_a_step(Integrator integrator) {
       return 4;
     case Integrator::splitting4:
       return 5;
-    case Integrator::composition8:
-      return 17;
+    case Integrator::rkn6:
+      return 11;
     default:
       return 1;
   }

@@ -18,19 +18,22 @@
 namespace bookspin {
 namespace {
 
-using State = std::array<double, 48>;  // positions, velocities
+using State = std::array<double, 24>;  // positions, velocities of half the corners: SpringBook::Half, twice
+using HalfCorners = Eigen::Matrix<double, 4, 3>;
 using ConstCorners = Eigen::Map<const Corners>;
 using Motion = std::vector<Corners>;  // one a sample
 
+// For Odeint: the forces that the program's own methods have.
 struct SpringSystem {
-  SpringBook book;  // for its forces
-  double particle_mass;
+  SpringBook book;
 
   void operator()(const State& s, State& d, double /*t*/) const {
-    const Corners x = ConstCorners(s.data());
-    const Corners v = ConstCorners(s.data() + 24);
-    Eigen::Map<Corners>(d.data()) = v;
-    Eigen::Map<Corners>(d.data() + 24) = book.forces(x, v).F_W / particle_mass;
+    SpringBook::Half x, v;
+    std::copy_n(s.begin(), x.size(), x.begin());
+    std::copy_n(s.begin() + x.size(), v.size(), v.begin());
+    const SpringBook::Half a = book.accelerations(x, v);
+    std::copy(v.begin(), v.end(), d.begin());
+    std::copy(a.begin(), a.end(), d.begin() + v.size());
   }
 };
 
@@ -38,7 +41,10 @@ Corners corners_of(const auto& book) {
   return book.corners_W();
 }
 Corners corners_of(const State& state) {
-  return ConstCorners(state.data());
+  const Eigen::Matrix<double, 3, 4> half = Eigen::Map<const HalfCorners>(state.data()).transpose();
+  Corners corners;
+  corners << half, -half.rowwise().reverse();
+  return corners;
 }
 
 double farthest(const Corners& a, const Corners& b, const BookOptions& options) {
@@ -94,10 +100,10 @@ Ladders against_their_own_motion(const Motion& expected, const Effort& effort) {
   const auto error = distance_from(expected, options);
   Ladders ladders;
   climb_all(spring_solvers(), options, course, effort, ladders, error);
-  const SpringSystem system{SpringBook(options), options.particle_mass};
+  const SpringSystem system{SpringBook(options)};
   State start{};
-  Eigen::Map<Corners>(start.data()) = system.book.corners_W();
-  Eigen::Map<Corners>(start.data() + 24) = system.book.velocities_W();
+  Eigen::Map<HalfCorners>(start.data()) = system.book.corners_W().leftCols<4>().transpose();
+  Eigen::Map<HalfCorners>(start.data() + 12) = system.book.velocities_W().leftCols<4>().transpose();
   climb_odeint(Method::springs, start, system, 0.01, course, effort, ladders, error);
   return ladders;
 }

@@ -11,7 +11,7 @@ namespace bookspin {
 bool takes(Method method, bool damped, const IntegratorInfo& integrator) {
   switch (method) {
     case Method::springs:
-      return integrator.spring_step != nullptr && (integrator.damped || !damped);
+      return integrator.spring_steps != nullptr && (integrator.damped || !damped);
     case Method::matrix:
       return integrator.matrix;
     case Method::quaternion:
@@ -30,7 +30,7 @@ AnyBook make_book(Method method, const BookOptions& options) {
   }
   if (method == Method::springs) return SpringBook(options);
   if (method == Method::matrix) return MatrixBook(options);
-  if (integrator.rigid_step == nullptr) return QuaternionBook(options);
+  if (integrator.rigid_steps == nullptr) return QuaternionBook(options);
   return FreeBook(options);
 }
 

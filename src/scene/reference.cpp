@@ -96,7 +96,9 @@ std::string script_manual() {
   }
   manual += "\n## Integrators: `book.integrator`\n\n";
   for (const IntegratorInfo& integrator : integrators) {
-    manual += item(integrator.name, fmt::format(": order {}; for {}", integrator.order, methods_of(integrator)));
+    const std::string order = integrator.order == all_orders ? "the motion itself, but for rounding"
+                                                             : fmt::format("order {}", integrator.order);
+    manual += item(integrator.name, fmt::format(": {}; for {}", order, methods_of(integrator)));
   }
   manual += "\n## Overlays: `book.show`\n\n";
   for (const OverlayInfo& overlay : overlay_table) manual += item(overlay.name, fmt::format(": {}", overlay.meaning));

@@ -93,7 +93,7 @@ void read_integrator(TableReader& reader, BookSetup& book) {
   if (allowed.empty()) reader.fail("integrator", "none: the exact motion takes no steps");
   std::string text =
       fmt::format("for {}{} one of {}", name_of(book.method), damped ? " with damping" : "", fmt::join(allowed, ", "));
-  if (!undamped.empty()) text += fmt::format("; {} need damping = false", fmt::join(undamped, " and "));
+  if (!undamped.empty()) text += fmt::format("; {} need damping = false", fmt::join(undamped, ", "));
   reader.fail("integrator", text);
 }
 

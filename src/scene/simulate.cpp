@@ -136,7 +136,7 @@ class Recorder {
   BookTrack track_;
 };
 
-// A step takes about a microsecond: a million of them a frame must not keep anyone waiting who wants to stop.
+// A step takes up to a microsecond: a million of them a frame must not keep anyone waiting who wants to stop.
 constexpr int steps_between_looks = 1024;
 
 BookTrack simulate_book(const BookSetup& setup, const Clip& clip, const Eigen::Vector3d& jiggle,
@@ -156,9 +156,9 @@ BookTrack simulate_book(const BookSetup& setup, const Clip& clip, const Eigen::V
           if constexpr (std::is_same_v<std::decay_t<decltype(book)>, ExactBook>) {
             book.move_to(t);
           } else {
-            for (int i = 0; i < clip.substeps; ++i) {
-              if (i % steps_between_looks == steps_between_looks - 1 && stop.stop_requested()) throw Stopped();
-              book.step(h);
+            for (int done = 0; done < clip.substeps; done += steps_between_looks) {
+              if (done > 0 && stop.stop_requested()) throw Stopped();
+              book.step(h, std::min(steps_between_looks, clip.substeps - done));
             }
           }
           recorder.record(book, t);
