@@ -34,7 +34,7 @@ golden: everything
 
 # Debian packages, in build/: the program with its files, and the library bookspin::dynamics.
 package: configured
-	cmake --build build --target bookspin bookspin_c bookspin_single_header
+	cmake --build build --target bookspin bookspin_printed bookspin_c bookspin_single_header
 	@printf 'dpkg-dev\nfile\n' >build/package-tools && ./install-packages build/package-tools
 	cd build && cpack
 

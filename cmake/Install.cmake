@@ -9,6 +9,22 @@ if(BOOKSPIN_PROGRAM)
   install(DIRECTORY shaders textures data DESTINATION ${CMAKE_INSTALL_DATADIR}/bookspin)
   install(DIRECTORY videos DESTINATION ${CMAKE_INSTALL_DATADIR}/bookspin PATTERN site EXCLUDE)
   install(FILES LICENSE NOTICE.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+
+  # What the program prints of itself.
+  set(printed ${PROJECT_BINARY_DIR}/printed)
+  add_custom_command(OUTPUT ${printed}/scene.schema.json
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${printed}
+    COMMAND bookspin help man >${printed}/bookspin.1
+    COMMAND gzip -9nf ${printed}/bookspin.1
+    COMMAND bookspin completion bash >${printed}/bookspin
+    COMMAND bookspin completion zsh >${printed}/_bookspin
+    COMMAND bookspin schema >${printed}/scene.schema.json DEPENDS bookspin)
+  add_custom_target(bookspin_printed ALL DEPENDS ${printed}/scene.schema.json)
+  install(FILES ${printed}/bookspin.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  install(FILES ${printed}/bookspin DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  install(FILES ${printed}/_bookspin DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+  install(FILES ${printed}/scene.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/bookspin)
 endif()
 
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME library)
@@ -19,6 +35,7 @@ install(DIRECTORY src/dynamics DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/bookspin 
 install(FILES ${PROJECT_BINARY_DIR}/single_header/bookspin_dynamics.h TYPE INCLUDE)
 install(EXPORT bookspin NAMESPACE bookspin:: FILE bookspinTargets.cmake DESTINATION ${package_dir})
 install(FILES LICENSE NOTICE.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libbookspin-dev)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libbookspin-dev RENAME copyright)
 
 file(CONFIGURE OUTPUT bookspinConfig.cmake CONTENT [[
 include(CMakeFindDependencyMacro)

@@ -5,11 +5,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
@@ -28,7 +26,6 @@
 #include "page/page.h"
 #include "report/report.h"
 #include "scene/judge.h"
-#include "scene/reference.h"
 #include "scene/scene_file.h"
 #include "scene/simulate.h"
 #include "scene/trajectory_csv.h"
@@ -210,7 +207,8 @@ int draw_scene_frame(const Options& options) {
   refuse_to_replace(options.scenes.front(), options.output);
   const Scene scene = load_scene(options.scenes.front(), options.overrides);
   if (options.frame >= scene.clip.frames) {
-    throw WrongCall(fmt::format("--frame: found '{}'; allowed: 0 to {}", options.frame, scene.clip.frames - 1));
+    throw std::invalid_argument(fmt::format("{}: found frame {}; allowed: 0 to {}", options.scenes.front(),
+                                            options.frame, scene.clip.frames - 1));
   }
   write_png(options.output, draw_frame(scene, options.frame, options.width, options.height, assets, options.stop));
   return 0;
@@ -279,11 +277,6 @@ int make_page(const Options& options) {
   const PageReceipt page =
       write_page({folder_or(options.folder, "site"), find_assets(options.assets) / "videos" / "page"});
   print(fmt::format("{}: {}, {}\n", page.file.string(), counted(page.films, "film"), readable_size(page.bytes)));
-  return 0;
-}
-
-int print_schema(const Options&) {
-  print(script_schema());
   return 0;
 }
 

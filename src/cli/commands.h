@@ -13,7 +13,10 @@ int check_scenes(const Options& options);
 int write_trajectory(const Options& options);
 int report(const Options& options);
 int make_page(const Options& options);
+int examine(const Options& options);
+int explain(const Options& options);
 int print_schema(const Options& options);
+int print_completion(const Options& options);
 int compare_pictures(const Options& options);
 
 }  // namespace bookspin

@@ -5,6 +5,9 @@
 #include <charconv>
 #include <filesystem>
 
+#include "cli/commands.h"
+#include "cli/version.h"
+
 namespace bookspin {
 namespace {
 
@@ -49,35 +52,24 @@ std::string not_empty_png(const std::string& text) {
   return fmt::format("found '{}'; allowed: a name that ends in .png", text);
 }
 
-void add_output(CLI::App& command, const char* names, std::string& target, const char* help, const char* type) {
-  command.add_option(names, target, help)->type_name(type)->check(not_empty);
+// Declarations of options that only one command has, or that need no word of their own.
+Declare text(std::string Options::*target, const char* names, const char* type, const char* help) {
+  return [=](CLI::App& command, Options& options) {
+    command.add_option(names, options.*target, help)->type_name(type)->check(not_empty);
+  };
 }
 
-}  // namespace
-
-void scene_argument(CLI::App& command, Options& options) {
-  scenes_argument(command, options);
-  command.get_option("SCENE")->expected(1)->description("Scene script");
+Declare flag(bool Options::*target, const char* name, const char* help) {
+  return [=](CLI::App& command, Options& options) { command.add_flag(name, options.*target, help); };
 }
 
 void scenes_argument(CLI::App& command, Options& options) {
   command.add_option("SCENE", options.scenes, "Scene scripts")->required()->type_name("FILE.toml")->check(not_empty);
 }
 
-void scripts_folder(CLI::App& command, Options& options) {
-  add_output(command, "DIR", options.folder, "Folder of scripts (default: the videos that come with the program)", "");
-}
-
-void site_folder(CLI::App& command, Options& options) {
-  add_output(command, "DIR", options.folder, "Folder of the films (default: site)", "");
-}
-
-void films_output(CLI::App& command, Options& options) {
-  add_output(command, "-o,--output", options.folder, "Folder of the films (default: site)", "DIR");
-}
-
-void report_output(CLI::App& command, Options& options) {
-  add_output(command, "-o,--output", options.folder, "Folder of the report (default: site/report)", "DIR");
+void scene_argument(CLI::App& command, Options& options) {
+  scenes_argument(command, options);
+  command.get_option("SCENE")->expected(1)->description("Scene script");
 }
 
 void picture_output(CLI::App& command, Options& options) {
@@ -85,10 +77,6 @@ void picture_output(CLI::App& command, Options& options) {
       ->required()
       ->type_name("FILE.png")
       ->check(not_empty_png);
-}
-
-void table_output(CLI::App& command, Options& options) {
-  add_output(command, "-o,--output", options.output, "The table (default: standard output)", "FILE.csv");
 }
 
 void size_option(CLI::App& command, Options& options) {
@@ -121,25 +109,6 @@ void frames_option(CLI::App& command, Options& options) {
       });
 }
 
-void frame_option(CLI::App& command, Options& options) {
-  add_number(command, "--frame", options.frame, 0, 99999, "Which frame, from 0")->required();
-}
-
-void jobs_option(CLI::App& command, Options& options) {
-  add_number(command, "-j,--jobs", options.jobs, 1, 256, "Films made at the same time (default: one a core)");
-}
-
-void update_flag(CLI::App& command, Options& options) {
-  command.add_flag(
-      "--update", options.update,
-      "Only films that are missing or damaged, made otherwise, of another script or by a program that draws "
-      "otherwise, or with an expectation unmet");
-}
-
-void quick_flag(CLI::App& command, Options& options) {
-  command.add_flag("--quick", options.quick, "Every file in seconds: for tests, not for reading");
-}
-
 void set_option(CLI::App& command, Options& options) {
   command.add_option("--set", options.overrides, "Change a key of the script, dotted, books by index; may be repeated")
       ->type_name("KEY=VALUE")
@@ -149,15 +118,11 @@ void set_option(CLI::App& command, Options& options) {
       });
 }
 
-void assets_option(CLI::App& command, Options& options) {
-  add_output(command, "--assets", options.assets,
-             "Folder of shaders, textures, videos and data (default: $BOOKSPIN_ASSETS, else those that came with the "
-             "program)",
-             "DIR");
-}
-
-void topic_argument(CLI::App& command, Options& options) {
-  command.add_option("TOPIC", options.topic, "A command, or scene")->type_name("");
+void shell_argument(CLI::App& command, Options& options) {
+  command.add_option("SHELL", options.topic, "bash or zsh")
+      ->required()
+      ->type_name("")
+      ->check(CLI::IsMember({"bash", "zsh"}));
 }
 
 void pictures_argument(CLI::App& command, Options& options) {
@@ -181,6 +146,114 @@ void delta_output(CLI::App& command, Options& options) {
   command.add_option("--delta", options.output, "Draw what differs: the first picture in gray, each such pixel in red")
       ->type_name("FILE.png")
       ->check(not_empty_png);
+}
+
+constexpr const char* about =
+    "Films of a tumbling book: scene scripts (TOML) -> MP4, and the numbers behind them.\n"
+    "The paper's figures come with it; `bookspin list` shows them.";
+constexpr const char* exit_codes =
+    "Exit code: 0 when everything was made and every expectation met, 1 when not, 2 for a call that is\n"
+    "wrong whatever the files hold, 128 + N when signal N has stopped it.";
+
+const Declare assets_option =
+    text(&Options::assets, "--assets", "DIR",
+         "Folder of shaders, textures, videos and data (default: $BOOKSPIN_ASSETS, else those "
+         "that came with the program)");
+
+}  // namespace
+
+const std::vector<Command> commands{
+    {"list",
+     "Show the scene scripts of a folder",
+     {text(&Options::folder, "DIR", "", "Folder of scripts (default: the videos that come with the program)"),
+      assets_option, set_option},
+     list_scenes,
+     "Example:\n  bookspin list videos"},
+    {"render",
+     "Make films, with poster and data beside each",
+     {scenes_argument, text(&Options::folder, "-o,--output", "DIR", "Folder of the films (default: site)"), size_option,
+      frames_option,
+      [](auto& command, auto& options) {
+        add_number(command, "-j,--jobs", options.jobs, 1, 256, "Films made at the same time (default: one a core)");
+      },
+      flag(&Options::update, "--update",
+           "Only films that are missing or damaged, made otherwise, of another script or by a program that draws "
+           "otherwise, or with an expectation unmet"),
+      set_option, assets_option},
+     render_scenes,
+     "Examples:\n  bookspin render videos/fig05_unstable_x.toml -o films\n"
+     "  bookspin render my.toml --size 640x360 --frames 0:120 --set book.0.jiggle=0.01"},
+    {"frame",
+     "Draw one frame as a PNG",
+     {scene_argument,
+      [](auto& command, auto& options) {
+        add_number(command, "--frame", options.frame, 0, 99999, "Which frame, from 0")->required();
+      },
+      picture_output, size_option, set_option, assets_option},
+     draw_scene_frame,
+     "Example:\n  bookspin frame videos/fig05_unstable_x.toml --frame 450 -o flipping.png"},
+    {"check",
+     "Simulate and judge every expectation, without drawing",
+     {scenes_argument, set_option},
+     check_scenes,
+     "Example:\n  bookspin check videos/*.toml"},
+    {"trajectory",
+     "Write the motion as CSV: corners, orientation, L, omega, and every quantity",
+     {scene_argument, text(&Options::output, "-o,--output", "FILE.csv", "The table (default: standard output)"),
+      set_option},
+     write_trajectory,
+     "Example:\n  bookspin trajectory videos/fig09_matrix.toml --set clip.substeps=300 -o fine.csv"},
+    {"page",
+     "Write the page of the films in a folder beside them, index.html, and their captions",
+     {text(&Options::folder, "DIR", "", "Folder of the films (default: site)"), assets_option},
+     make_page,
+     "Example:\n  bookspin page films"},
+    {"report",
+     "Measure speed against error, stability and the paper's claims: a page and its data",
+     {text(&Options::folder, "-o,--output", "DIR", "Folder of the report (default: site/report)"),
+      flag(&Options::quick, "--quick", "Every file in seconds: for tests, not for reading"), assets_option},
+     report,
+     "Example:\n  bookspin report -o report"},
+    {"compare",
+     "Say how far two pictures are apart: exit code 0 within the bounds, without any when they are equal; 1 beyond",
+     {pictures_argument, bounds_options, delta_output},
+     compare_pictures,
+     "Example:\n  bookspin compare before.png after.png --max-delta 16 --mean-delta 0.4 --delta differs.png"},
+    {"doctor",
+     "Say what this machine has for making films, and what to install: exit code 0 when they can be made",
+     {assets_option},
+     examine,
+     "Example:\n  bookspin doctor"},
+    {"help",
+     "Explain the program, one of its commands, or the scripts",
+     {text(&Options::topic, "TOPIC", "", "A command; scene: every key that a script may hold; man: the manual page")},
+     explain,
+     "Example:\n  bookspin help scene"},
+    {"schema",
+     "Print the JSON schema of scene scripts, by which an editor completes and checks them",
+     {},
+     print_schema,
+     "Example:\n  bookspin schema >bookspin.schema.json"},
+    {"completion",
+     "Print what has a shell complete commands and options",
+     {shell_argument},
+     print_completion,
+     "Example:\n  bookspin completion bash >~/.local/share/bash-completion/completions/bookspin"},
+};
+
+void declare_commands(CLI::App& program, Options& options) {
+  options.program = &program;
+  program.description(about);
+  program.footer(exit_codes);
+  program.require_subcommand(1);
+  program.fallthrough(false);
+  program.get_formatter()->column_width(34);
+  program.set_version_flag("--version", version_text, "Print the version, and those of the libraries");
+  for (const Command& command : commands) {
+    CLI::App* parser = program.add_subcommand(command.name, command.help);
+    for (const Declare& declare : command.declare) declare(*parser, options);
+    parser->footer(command.examples);
+  }
 }
 
 }  // namespace bookspin

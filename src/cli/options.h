@@ -1,10 +1,11 @@
-// What a command line can say, and how each option is declared and read.
+// What a command line can say: the table of commands, each with its options, which are declared and read here.
 //
-// A declaration adds its option to a command; CLI11 then reads the words, and throws a CLI::ParseError that names the
-// option, what was found and what is allowed. A default is what stands in Options.
+// CLI11 reads the words, and throws a CLI::ParseError that names the option, what was found and what is allowed. A
+// default is what stands in Options.
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <stop_token>
@@ -27,41 +28,34 @@ struct Options {
   int jobs = 0;  // 0: one a core
   bool update = false;
   bool quick = false;
-  std::string topic;
+  std::string topic;                  // of help and completion
   std::vector<std::string> pictures;  // two
   std::optional<int> max_delta;       // levels
   std::optional<double> mean_delta;   // levels
   std::optional<double> share;        // of pixels, 0 ... 1
   int threshold = 0;                  // levels; what counts for share
   std::stop_token stop;               // requested: the command throws Stopped soon
+  const CLI::App* program = nullptr;  // all that can be said
 };
 
-// A call that cannot be meant, found after the words were read: exit code 2.
+// A call that cannot be meant, whatever the files hold: exit code 2. What only a script shows to be wrong, such as a
+// frame that it does not have, is 1, like all that is not made.
 struct WrongCall : std::invalid_argument {
   using invalid_argument::invalid_argument;
 };
 
-using Declare = void (*)(CLI::App& command, Options& options);
+using Declare = std::function<void(CLI::App& command, Options& options)>;
 
-void scene_argument(CLI::App& command, Options& options);
-void scenes_argument(CLI::App& command, Options& options);
-void scripts_folder(CLI::App& command, Options& options);
-void site_folder(CLI::App& command, Options& options);
-void films_output(CLI::App& command, Options& options);
-void report_output(CLI::App& command, Options& options);
-void picture_output(CLI::App& command, Options& options);
-void table_output(CLI::App& command, Options& options);
-void size_option(CLI::App& command, Options& options);
-void frames_option(CLI::App& command, Options& options);
-void frame_option(CLI::App& command, Options& options);
-void jobs_option(CLI::App& command, Options& options);
-void update_flag(CLI::App& command, Options& options);
-void quick_flag(CLI::App& command, Options& options);
-void set_option(CLI::App& command, Options& options);
-void assets_option(CLI::App& command, Options& options);
-void topic_argument(CLI::App& command, Options& options);
-void pictures_argument(CLI::App& command, Options& options);
-void bounds_options(CLI::App& command, Options& options);
-void delta_output(CLI::App& command, Options& options);
+struct Command {
+  const char* name;
+  const char* help;
+  std::vector<Declare> declare;
+  int (*run)(const Options&);
+  const char* examples;
+};
+
+extern const std::vector<Command> commands;
+
+void declare_commands(CLI::App& program, Options& options);
 
 }  // namespace bookspin

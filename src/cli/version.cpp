@@ -46,15 +46,18 @@ std::string commit() {
   return BOOKSPIN_COMMIT;
 }
 
+std::string version() {
+  return "bookspin " BOOKSPIN_VERSION;
+}
+
 std::string version_text() {
   const unsigned avcodec = avcodec_version();
   return fmt::format(
-      "bookspin {}{}\n{}\n"
+      "{}{}\n{}\n"
       "libavcodec {}.{}.{}, libpng {}, FreeType {}, Eigen {}, fmt {}.{}.{}, toml++ {}.{}.{}",
-      BOOKSPIN_VERSION, commit().empty() ? "" : fmt::format(" (commit {})", commit()), BOOKSPIN_COMPILER,
-      avcodec >> 16U, avcodec >> 8U & 0xffU, avcodec & 0xffU, png_get_libpng_ver(nullptr), freetype_version(),
-      eigen_version(), FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100, TOML_LIB_MAJOR, TOML_LIB_MINOR,
-      TOML_LIB_PATCH);
+      version(), commit().empty() ? "" : fmt::format(" (commit {})", commit()), BOOKSPIN_COMPILER, avcodec >> 16U,
+      avcodec >> 8U & 0xffU, avcodec & 0xffU, png_get_libpng_ver(nullptr), freetype_version(), eigen_version(),
+      FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100, TOML_LIB_MAJOR, TOML_LIB_MINOR, TOML_LIB_PATCH);
 }
 
 }  // namespace bookspin

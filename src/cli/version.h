@@ -6,6 +6,7 @@
 
 namespace bookspin {
 
+[[nodiscard]] std::string version();  // "bookspin 1.0"
 [[nodiscard]] std::string version_text();
 [[nodiscard]] std::string commit();  // alone; empty when not built from a checkout
 

@@ -201,6 +201,10 @@ Context::~Context() {
   library_.reset();
 }
 
+std::string describe_opengl(ContextKind kind) {
+  return Context(kind).description();
+}
+
 void Context::make_current() {
   if (auto* const osmesa = std::get_if<OsmesaContext>(&library_->context)) osmesa->make_current();
   if (auto* const egl = std::get_if<EglContext>(&library_->context)) egl->make_current();

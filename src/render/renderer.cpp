@@ -214,7 +214,7 @@ std::vector<std::filesystem::path> files_drawn_from(const std::filesystem::path&
     }
   }
   std::sort(files.begin(), files.end());
-  files.insert(files.end(), {BOOKSPIN_FONT_REGULAR, BOOKSPIN_FONT_SEMIBOLD});
+  for (const std::string& font : font_files()) files.emplace_back(font);
   return files;
 }
 

@@ -34,6 +34,9 @@ class Renderer {
   std::unique_ptr<Parts> parts_;
 };
 
+// The OpenGL that would draw. Throws std::runtime_error when there is none of the kind.
+[[nodiscard]] std::string describe_opengl(ContextKind kind);
+
 // Every file that a renderer reads: shaders, textures, fonts.
 [[nodiscard]] std::vector<std::filesystem::path> files_drawn_from(const std::filesystem::path& assets);
 

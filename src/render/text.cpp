@@ -103,6 +103,10 @@ struct TextPainter::Fonts {
   Fonts& operator=(const Fonts&) = delete;
 };
 
+std::vector<std::string> font_files() {
+  return {BOOKSPIN_FONT_REGULAR, BOOKSPIN_FONT_SEMIBOLD};
+}
+
 TextPainter::TextPainter() : fonts_(std::make_unique<Fonts>()) {}
 TextPainter::~TextPainter() = default;
 

@@ -61,4 +61,6 @@ class TextPainter {
   std::map<Key, Glyph> glyphs_;  // a node stays where it is
 };
 
+[[nodiscard]] std::vector<std::string> font_files();
+
 }  // namespace bookspin

@@ -26,7 +26,19 @@ Libav<T> owned(T* object) {
   return Libav<T>(object);
 }
 
+const AVCodec* find_encoder() {
+  const AVCodec* codec = avcodec_find_encoder_by_name("libx264");
+  if (codec == nullptr) throw std::runtime_error("libavcodec: find encoder: this libavcodec was built without libx264");
+  return codec;
+}
+
 }  // namespace
+
+std::string describe_encoder() {
+  const unsigned version = avcodec_version();
+  return std::string(find_encoder()->name) + " by libavcodec " + std::to_string(version >> 16U) + "." +
+         std::to_string(version >> 8U & 0xffU) + "." + std::to_string(version & 0xffU);
+}
 
 struct Mp4Writer::Film {
   std::filesystem::path file;  // the film's name, for messages
@@ -90,8 +102,7 @@ void Mp4Writer::Film::open_muxer() {
 }
 
 void Mp4Writer::Film::open_encoder() {
-  const AVCodec* codec = avcodec_find_encoder_by_name("libx264");
-  if (codec == nullptr) throw std::runtime_error("libavcodec: find encoder: this libavcodec was built without libx264");
+  const AVCodec* codec = find_encoder();
   encoder = owned(avcodec_alloc_context3(codec));
   encoder->width = settings.width;
   encoder->height = settings.height;

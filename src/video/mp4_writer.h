@@ -16,6 +16,9 @@
 
 namespace bookspin {
 
+// The encoder and the library that has it. Throws std::runtime_error when there is none.
+[[nodiscard]] std::string describe_encoder();
+
 class Mp4Writer {
  public:
   struct Settings {

@@ -50,8 +50,8 @@ struct Cli : testing::Test {
 
 TEST_F(Cli, HelpOfEveryCommandHasAnExample) {
   EXPECT_EQ((*this)("--help").exit_code, 0);
-  for (const char* command :
-       {"list", "render", "frame", "check", "trajectory", "page", "report", "compare", "help", "schema"}) {
+  for (const char* command : {"list", "render", "frame", "check", "trajectory", "page", "report", "compare", "doctor",
+                              "help", "schema", "completion"}) {
     const Said said = (*this)(std::string(command) + " --help");
     EXPECT_EQ(said.exit_code, 0);
     EXPECT_THAT(said.out, HasSubstr("Example")) << command;
@@ -266,9 +266,10 @@ INSTANTIATE_TEST_SUITE_P(
     Cli, BadCalls,
     testing::Values(
         BadCall{"nothing", "", 2, "A subcommand is required"},
-        BadCall{"unknown_command", "film mine.toml", 2,
-                "unknown command 'film'; allowed: list, render, frame, check, trajectory, page, report, compare, help, "
-                "schema\n"},
+        BadCall{
+            "unknown_command", "film mine.toml", 2,
+            "unknown command 'film'; allowed: list, render, frame, check, trajectory, page, report, compare, doctor, "
+            "help, schema, completion\n"},
         BadCall{"nearly_a_command", "rendr mine.toml", 2, "unknown command 'rendr'; did you mean render?\n"},
         BadCall{"nearly_a_topic", "help scenes", 2, "help: found 'scenes'; did you mean scene?\n"},
         BadCall{"unknown_option", "check mine.toml --fast", 2, "unknown option '--fast'; allowed: --help, --set\n"},
@@ -294,7 +295,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{"frames_reversed", "render mine.toml -o . --frames 8:3", 2, "--frames: found '8:3'; allowed: A:B"},
         BadCall{"frames_beyond", "render mine.toml -o . --frames 0:13", 1,
                 "mine.toml: found frames 0:13; allowed: A:B with 0 <= A < B <= 12"},
-        BadCall{"frame_beyond", "frame mine.toml --frame 12 -o a.png", 2, "--frame: found '12'; allowed: 0 to 11"},
+        BadCall{"frame_beyond", "frame mine.toml --frame 12 -o a.png", 1,
+                "mine.toml: found frame 12; allowed: 0 to 11"},
         BadCall{"frame_in_words", "frame mine.toml --frame abc -o a.png", 2,
                 "--frame: found 'abc'; allowed: a whole number from 0"},
         BadCall{"frame_as_jpeg", "frame mine.toml --frame 1 -o a.jpg", 2,
@@ -343,9 +345,15 @@ int exit_code_of(pid_t child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
-void wait_for_a_file_in(const fs::path& folder) {
+// Until the child has made a file there; not for one that ended without.
+void wait_for_a_file_in(const fs::path& folder, pid_t child) {
   std::error_code not_yet;
-  while (fs::directory_iterator(folder, not_yet) == fs::directory_iterator()) usleep(10000);
+  while (fs::directory_iterator(folder, not_yet) == fs::directory_iterator()) {
+    siginfo_t ended{};
+    ASSERT_EQ(waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT), 0);
+    ASSERT_EQ(ended.si_pid, 0) << "the program ended without a file in " << folder;
+    usleep(10000);
+  }
 }
 
 struct Interruption {
@@ -364,7 +372,7 @@ TEST_P(Interrupted, LeavesNothingHalfMadeAndSaysBySignal) {
       scratch.folder(),
       {"render", "mine.toml", "-o", "films", "--size", "64x36", "--set", "clip.frames=100000", "--set", GetParam().set},
       "error");
-  wait_for_a_file_in(scratch / "films");
+  wait_for_a_file_in(scratch / "films", child);
   kill(child, GetParam().signal);
   EXPECT_EQ(exit_code_of(child), 128 + GetParam().signal);
   EXPECT_EQ(read_text(scratch / "error"), "bookspin: stopped\n");
@@ -398,7 +406,7 @@ TEST_F(Cli, AProgressLineThatCannotBeWrittenIsDropped) {
   const pid_t child =
       start(scratch.folder(), {"render", "mine.toml", "-o", "films", "--size", "64x36", "--set", "clip.frames=300"},
             ptsname(terminal));
-  wait_for_a_file_in(scratch / "films");
+  wait_for_a_file_in(scratch / "films", child);
   close(terminal);
   EXPECT_EQ(exit_code_of(child), 0);
   EXPECT_EQ(read_mp4_info(scratch / "films/mine.mp4").frames, 300);

@@ -27,6 +27,27 @@ install)
   "$prefix/bin/bookspin" trajectory "$here/exact.toml" -o "$folder/exact.csv"
   awk -F, 'NR > 1 { print $28, $29, $30, $31 }' "$folder/exact.csv" >"$folder/expected"
   ;;
+package)
+  command -v dpkg-shlibdeps >/dev/null || skip "there is no dpkg-shlibdeps"
+  command -v file >/dev/null || skip "there is no program file"
+  (cd "$BUILD" && "${CMAKE%cmake}cpack" -B "$folder/package") >"$BUILD/package_test.log"
+  dpkg-deb -I "$folder"/package/bookspin_*.deb | grep -E 'Depends: .*fonts-inter.*libosmesa6 [|] libegl1'
+  dpkg-deb -x "$folder"/package/bookspin_*.deb "$folder/unpacked"
+  # In a folder that has never seen the checkout; by its own files, which are looked for there first.
+  usr=$folder/unpacked/usr
+  mkdir -p "$folder/stranger"
+  cd "$folder/stranger"
+  cp "$usr/share/bookspin/videos/fig01_axes.toml" mine.toml
+  "$usr/bin/bookspin" doctor | grep "have *own files *$usr/share/bookspin"
+  "$usr/bin/bookspin" check mine.toml
+  "$usr/bin/bookspin" render mine.toml --size 160x90 --set clip.frames=12
+  "$usr/bin/bookspin" page
+  test -s site/mine.mp4 && test -s site/index.html
+  gzip -t "$usr/share/man/man1/bookspin.1.gz"
+  for made in bash-completion/completions/bookspin zsh/vendor-completions/_bookspin bookspin/scene.schema.json; do
+    test -s "$usr/share/$made"
+  done
+  ;;
 cmake)
   "$CMAKE" -S "$project/examples/exact" -B "$folder/cmake" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$CXX"
   "$CMAKE" --build "$folder/cmake"
