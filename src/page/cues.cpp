@@ -18,6 +18,7 @@ using Frames = std::vector<bool>;  // one a frame of the clip: whether it holds 
 
 constexpr double readable = 1.0;           // seconds that a cue stands at least
 constexpr double longest = 5.0;            // seconds
+constexpr double most_pulsations = 100.0;  // that are told
 constexpr double vibration_seconds = 0.5;  // of the film, a period of any vibration and more
 
 // What may hold of a book. Every sentence begins with "The book".
@@ -115,7 +116,7 @@ std::vector<Statement> statements_for(const FilmRecord& film) {
     const auto counts = book.data.find("pulsations");
     if (counts != book.data.end() && book.method != "springs") most = std::max(most, std::ranges::max(counts->second));
   }
-  for (int count = 1; count <= most; ++count) {
+  for (int count = 1; count <= std::min(most, most_pulsations); ++count) {
     const std::string times = count == 1 ? "once" : count == 2 ? "twice" : fmt::format("{} times", count);
     all.push_back({fmt::format("The book has swollen and shrunk {}.", times), [count](const Book& book) {
                      // Springs do so too, but too fast for words.

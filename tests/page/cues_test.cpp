@@ -89,6 +89,13 @@ TEST(Cues, OneAmongOthersIsTheBook) {
   EXPECT_THAT(told(film), ElementsAre("0-20 matrix: the book spins steadily about its axis."));
 }
 
+TEST(Cues, DataBeyondAllSenseEndInWords) {
+  json film = still_film(100);
+  film["books"][0]["data"]["pulsations"] = std::vector<double>(100, 1e300);
+  film["quantities"].push_back(a_quantity("pulsations", "Pulsations so far", "", 1.0, 0.0, 1.0, 0.0));
+  EXPECT_EQ(told(film).size(), 1U);
+}
+
 TEST(Cues, AScriptsOwnReplaceThem) {
   json film = a_film(40);
   film["cues"] = {{{"says", "Look."}, {"first_frame", 3}, {"end_frame", 9}}};

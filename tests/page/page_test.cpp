@@ -102,7 +102,7 @@ TEST_F(Page, ANameIsGoodInAnAddressWhateverItIs) {
 
 TEST_F(Page, AFilmHasAllThatAReaderNeeds) {
   const std::string html = made();
-  EXPECT_THAT(html, HasSubstr("src=\"a.mp4\" poster=\"a.png\""));
+  EXPECT_THAT(html, HasSubstr("src=\"a.mp4\""));
   EXPECT_THAT(html, HasSubstr("1 of 1 claims hold, measured"));
   EXPECT_THAT(html, HasSubstr("Flips so far 1 <a href=\"a.mp4#t=1.900\" data-time=\"1.900\">at t = 10</a>"));
   EXPECT_THAT(html,
