@@ -163,12 +163,8 @@ template <class Book, class Error>
                                            const Effort& effort, Error&& error) {
   return climb(effort, step_ladder(course.fewest, effort.ladder), [&](long steps) {
     const double h = course.interval() / static_cast<double>(steps);
-    return measure(
-        h, course, effort,
-        [&] {
-          return Stepped<Book>{book, h, steps, evaluations_a_step};
-        },
-        error);
+    const auto start = [&] { return Stepped<Book>{book, h, steps, evaluations_a_step}; };
+    return measure(h, course, effort, start, error);
   });
 }
 

@@ -81,12 +81,8 @@ void climb_odeint(Method method, const State& x, const System& system, double fi
   const auto controlled = [&](Odeint which, auto&& make) {
     add(which, climb(effort, tolerances, [&](double tolerance) {
           using Runner = OdeintControlled<decltype(make(tolerance)), State, System>;
-          return measure(
-              tolerance, course, effort,
-              [&] {
-                return Runner{system, x, make(tolerance), course.interval(), first_step};
-              },
-              error);
+          const auto start = [&] { return Runner{system, x, make(tolerance), course.interval(), first_step}; };
+          return measure(tolerance, course, effort, start, error);
         }));
   };
   controlled(Odeint::dopri5, [](double tolerance) {

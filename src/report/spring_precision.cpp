@@ -118,6 +118,14 @@ Ladders against_the_rigid_body(double stiffness, const Course& course, const Eff
   return ladders;
 }
 
+Integrator of_highest_order(bool damped) {
+  Integrator best = Integrator::explicit_euler;
+  for (const IntegratorInfo& row : integrators) {
+    if (takes(Method::springs, damped, row) && row.order > info_of(best).order) best = row.id;
+  }
+  return best;
+}
+
 // The book of case a under three models, at the step of the paper's program. Each model's own motion is computed by the
 // highest order that the table has for it, and by far smaller steps.
 constexpr double papers_step = 0.1 / 6.0;
@@ -126,12 +134,8 @@ ModelError model_error(double stiffness, bool damped, bool normalized, const Cou
   BookOptions options = book_of_case_a(stiffness);
   options.damping = damped ? 1.0 : 0.0;
   options.normalize_every = normalized ? 1 : 0;
-  options.integrator = Integrator::explicit_euler;
   const Motion rigid = rigid_motion(options, course);
-  for (const IntegratorInfo& row : integrators) {
-    if (takes(Method::springs, damped, row) && row.order > info_of(options.integrator).order)
-      options.integrator = row.id;
-  }
+  options.integrator = of_highest_order(damped);
   const Motion own = spring_motion(options, course, 0.02 / std::sqrt(stiffness));
   options.integrator = damped ? Integrator::explicit_euler : Integrator::velocity_verlet;
   const Motion x = spring_motion(options, course, papers_step);
@@ -164,12 +168,8 @@ void spring_precision(Draft& draft) {
   const Course course{60, effort.quick ? 100.0 : 600.0, 16.0};
   const Ladders& soft = draft.runs[Problem::soft_springs] = against_the_rigid_body(10.0, course, effort);
   const Ladders& stiff = draft.runs[Problem::stiff_springs] = against_the_rigid_body(1000.0, course, effort);
-  const auto floor_of = [](const Ladders& ladders) {  // where undamped springs level out: by the highest order there is
-    const auto order = [](const Ladder& l) { return info_of(l.solver.integrator).order; };
-    return std::max_element(ladders.begin(), ladders.end(),
-                            [&](const Ladder& a, const Ladder& b) { return order(a) < order(b); })
-        ->finest()
-        .error;
+  const auto floor_of = [](const Ladders& ladders) {  // where undamped springs level out
+    return ladder(ladders, {Method::springs, of_highest_order(false)}).finest().error;
   };
   Plot plot = work_precision_plot(draft.runs, {Problem::soft_springs, Problem::stiff_springs},
                                   "largest distance, half diagonals, from the rigid motion", 1e-5);
