@@ -10,6 +10,7 @@
 
 #include "files/files.h"
 #include "film/film_data.h"
+#include "film/storyboard.h"
 #include "page/a_film.h"
 #include "scene/simulate.h"
 
@@ -163,7 +164,8 @@ TEST_P(CuesOf, AreTrueAtBothEnds) {
   Part mp4(scratch / "a.mp4");
   Part poster(scratch / "a.png");
   Part data(scratch / "a.json");
-  write_film_data(data, {film, trajectory, judge(film.scene, trajectory), &mp4, poster});
+  const int drawn = std::min(Storyboard(film.scene, trajectory, film.width, film.height).frames(), film.frames());
+  write_film_data(data, {film, trajectory, judge(film.scene, trajectory), drawn, &mp4, poster});
   publish({&data});
   const FilmRecord record = read_film_record(scratch / "a.json").value();
   const auto cues = cues_of(record);
