@@ -13,11 +13,11 @@ namespace bookspin {
 
 class Scratch {
  public:
-  Scratch() {
+  explicit Scratch(const std::filesystem::path& parent = std::filesystem::temp_directory_path()) {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
     std::string name = std::string(test->test_suite_name()) + "." + test->name();
     for (char& c : name) c = c == '/' ? '_' : c;
-    folder_ = std::filesystem::temp_directory_path() / ("bookspin-" + std::to_string(getpid()) + "-" + name);
+    folder_ = parent / ("bookspin-" + std::to_string(getpid()) + "-" + name);
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }

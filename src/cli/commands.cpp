@@ -153,13 +153,15 @@ int render_scenes(const Options& options) {
         throw WrongCall(fmt::format("{} and {} would make the same film", other, script));
       }
     }
-    std::optional<Film> film = try_load([&] { return load_film(script, settings); });
-    if (!film) {
-      not_made.push_back(fs::path(script).filename().string());
-    } else if (!options.update || !is_up_to_date(*film, products(*film, folder))) {
-      warn_of_boxes(film->file.filename().string(), film->scene);
-      films.push_back(std::move(*film));
-    }
+    const std::optional<bool> is_due = try_load([&] {
+      Film film = load_film(script, settings);
+      if (options.update && is_up_to_date(film, products(film, folder))) return false;
+      require_products(film, folder);
+      warn_of_boxes(film.file.filename().string(), film.scene);
+      films.push_back(std::move(film));
+      return true;
+    });
+    if (!is_due) not_made.push_back(fs::path(script).filename().string());
   }
   const std::size_t up_to_date = options.scenes.size() - films.size() - not_made.size();
 

@@ -5,27 +5,40 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 namespace bookspin {
 namespace fs = std::filesystem;
 
-namespace {
-
-[[noreturn]] void fail(const fs::path& file, std::string_view operation, std::string_view reason) {
-  throw std::runtime_error(fmt::format("{}: {}: {}", file.string(), operation, reason));
+void throw_file_error(const fs::path& file, std::string_view what_failed, std::string_view reason) {
+  const std::string text = reason.empty() ? std::strerror(errno) : std::string(reason);
+  throw std::runtime_error(fmt::format("{}: {}: {}", file.string(), what_failed, text));
 }
 
-}  // namespace
-
 std::string read_file(const fs::path& file) {
+  std::error_code error;
+  const fs::file_type type = fs::status(file, error).type();
+  if (type == fs::file_type::regular || type == fs::file_type::not_found) return read_file_or_pipe(file);
+  throw_file_error(file, "cannot be read", type == fs::file_type::directory ? "is a folder" : "is not a regular file");
+}
+
+std::string read_file_or_pipe(const fs::path& file) {
+  constexpr std::size_t most = std::size_t{256} << 20U;
+  constexpr std::size_t at_once = 65536;
   std::ifstream in(file, std::ios::binary);
-  if (!in) fail(file, "cannot be read", std::strerror(errno));
-  if (fs::is_directory(file)) fail(file, "cannot be read", "is a folder");
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
+  if (!in) throw_file_error(file, "cannot be read");
+  if (fs::is_directory(file)) throw_file_error(file, "cannot be read", "is a folder");
+  std::string text;
+  while (in && text.size() <= most) {
+    const std::size_t so_far = text.size();
+    text.resize(so_far + at_once);
+    errno = 0;
+    in.read(text.data() + so_far, at_once);
+    text.resize(so_far + static_cast<std::size_t>(in.gcount()));
+  }
+  if (in.bad() || (!in.eof() && errno != 0)) throw_file_error(file, "cannot be read");
+  if (text.size() > most) throw_file_error(file, "cannot be read", "is larger than 256 MiB");
+  return text;
 }
 
 void write_file(const fs::path& file, std::string_view text) {
@@ -42,7 +55,7 @@ void write_part(const Part& part, const std::function<void(std::ostream&)>& writ
   std::ofstream out(part.path(), std::ios::binary);
   if (out) write(out);
   out.close();
-  if (!out) fail(part.file(), "cannot be written", std::strerror(errno));
+  if (!out) throw_file_error(part.file(), "cannot be written");
 }
 
 std::string readable_size(std::uintmax_t bytes) {

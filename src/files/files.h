@@ -15,7 +15,15 @@
 
 namespace bookspin {
 
+// Without a reason: the system's own, of now.
+[[noreturn]] void throw_file_error(const std::filesystem::path& file, std::string_view what_failed,
+                                   std::string_view reason = {});
+
+// A regular file, of at most 256 MiB: nothing that bookspin reads whole is larger.
 [[nodiscard]] std::string read_file(const std::filesystem::path& file);
+
+// The same; of a FIFO or a device what it says until it ends.
+[[nodiscard]] std::string read_file_or_pipe(const std::filesystem::path& file);
 
 void write_file(const std::filesystem::path& file, std::string_view text);
 

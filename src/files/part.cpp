@@ -8,37 +8,19 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdlib>
 #include <regex>
-#include <stdexcept>
+#include <sstream>
 #include <system_error>
 #include <utility>
+
+#include "files/checksums.h"
+#include "files/files.h"
 
 namespace bookspin {
 namespace fs = std::filesystem;
 
 namespace {
-
-[[noreturn]] void fail(const fs::path& file, std::string_view operation, std::string_view reason) {
-  throw std::runtime_error(fmt::format("{}: {}: {}", file.string(), operation, reason));
-}
-
-[[noreturn]] void fail(const fs::path& file, std::string_view operation) {
-  fail(file, operation, std::generic_category().message(errno));
-}
-
-// Renaming a file over a link, a device or a FIFO would replace what stands for something else.
-void require_replaceable(const fs::path& file) {
-  struct stat found {};
-  if (lstat(file.c_str(), &found) != 0) {
-    if (errno != ENOENT) fail(file, "cannot be opened for writing");
-    return;
-  }
-  if (S_ISREG(found.st_mode)) return;
-  fail(file, "cannot be replaced",
-       S_ISDIR(found.st_mode)   ? "is a folder"
-       : S_ISLNK(found.st_mode) ? "is a symbolic link"
-                                : "is not a regular file");
-}
 
 struct Descriptor {
   int number;
@@ -51,37 +33,127 @@ fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : ".";
 }
 
-// A file that somebody writes is locked by its writer, in whatever container or process that lives.
-void remove_leftovers(const fs::path& folder) {
-  static const std::regex part_name(R"(\.bookspin-[0-9]+-[0-9]+\.part)");
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    if (!std::regex_match(entry->path().filename().string(), part_name)) continue;
-    const Descriptor part{open(entry->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)};
+fs::path private_name(const fs::path& folder, std::string_view kind) {
+  static std::atomic<int> count = 0;
+  return folder / fmt::format(".bookspin-{}-{}.{}", getpid(), ++count, kind);
+}
+
+std::string kind_of(const std::string& name) {
+  static const std::regex pattern(R"(\.bookspin-[0-9]+-[0-9]+\.(part|undo|old))");
+  std::smatch found;
+  return std::regex_match(name, found, pattern) ? found[1].str() : "";
+}
+
+// Whoever holds the folder publishes there, and nobody else: what is half published is then a killed program's. Not
+// every file system locks a folder; there, two who publish the same names at the same moment may meet.
+class FolderLock {
+ public:
+  explicit FolderLock(const fs::path& folder)
+      : folder_{open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)},
+        held_(folder_.number >= 0 && flock(folder_.number, LOCK_EX) == 0) {}
+  [[nodiscard]] bool held() const { return held_; }
+  void flush(const fs::path& folder) const {
+    if (held_ && fsync(folder_.number) != 0 && errno != EINVAL)
+      throw_file_error(folder, "cannot be flushed to the disk");
+  }
+
+ private:
+  Descriptor folder_;
+  bool held_;
+};
+
+// One of a transaction's steps, as its journal has them: the name takes a new file, and what stood there is kept.
+struct Step {
+  ino_t inode = 0;     // of the new file; 0: none, the name goes
+  std::string name;    // within the folder, as all
+  std::string backup;  // where the old file is kept; empty: there is none
+};
+
+constexpr char end_of_field = '\0';  // the one character, beside the slash, that a name never has
+
+std::string journal_of(const std::vector<Step>& steps) {
+  std::string text;
+  for (const Step& step : steps) {
+    for (const std::string& field : {std::to_string(step.inode), step.name, step.backup}) text += field + end_of_field;
+  }
+  return text;
+}
+
+std::vector<Step> read_journal(const fs::path& file) {
+  std::istringstream in(read_file(file));
+  const auto next = [&in](std::string& field) { return bool(std::getline(in, field, end_of_field)); };
+  std::vector<Step> steps;
+  Step step;
+  for (std::string inode; next(inode) && next(step.name) && next(step.backup); steps.push_back(step)) {
+    step.inode = std::strtoull(inode.c_str(), nullptr, 10);
+  }
+  return steps;
+}
+
+// Where the name still has, or again has, another file than the new one, nothing is taken back. May be done twice.
+void undo(const fs::path& folder, const std::vector<Step>& steps) {
+  for (const Step& step : steps) {
+    const fs::path file = folder / fs::path(step.name).filename();  // whatever a damaged journal says
     struct stat found {};
-    const bool ours = fstat(part.number, &found) == 0 && S_ISREG(found.st_mode) && found.st_uid == geteuid();
-    if (ours && flock(part.number, LOCK_EX | LOCK_NB) == 0) unlink(entry->path().c_str());
+    const bool there = lstat(file.c_str(), &found) == 0;
+    if (there ? found.st_ino != step.inode : errno != ENOENT) continue;
+    const int done = !step.backup.empty() ? rename((folder / step.backup).c_str(), file.c_str())
+                     : there              ? unlink(file.c_str())
+                                          : 0;
+    if (done != 0 && errno != ENOENT) throw_file_error(file, "cannot be given back what it held");
   }
 }
 
-// False when another program, looking for leftovers, was there between creation and lock: it takes the file away.
-bool lock(int part) {
-  if (flock(part, LOCK_EX | LOCK_NB) != 0) return errno != EWOULDBLOCK;  // a file system may know no locks
-  struct stat found {};
-  return fstat(part, &found) == 0 && found.st_nlink > 0;
+bool removed(const fs::path& file) {
+  return unlink(file.c_str()) == 0 || errno == ENOENT;
+}
+
+// A link, so that the name never is without a file; where the file system knows none, the file itself.
+void keep_as(const fs::path& backup, const fs::path& file) {
+  if (link(file.c_str(), backup.c_str()) == 0) return;
+  if (rename(file.c_str(), backup.c_str()) != 0) throw_file_error(file, "cannot be replaced");
 }
 
 }  // namespace
 
-Part::Part(fs::path file) : file_(std::move(file)) {
-  static std::atomic<int> count = 0;
-  require_replaceable(file_);
-  remove_leftovers(folder_of(file_));
+void settle(const fs::path& folder) {
+  const FolderLock lock(folder);
+  if (!lock.held()) return;
+  std::vector<fs::path> journals;
+  std::vector<fs::path> others;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string kind = kind_of(entry->path().filename().string());
+    struct stat found {};
+    if (kind.empty() || lstat(entry->path().c_str(), &found) != 0) continue;
+    if (!S_ISREG(found.st_mode) || found.st_uid != geteuid()) continue;
+    (kind == "undo" ? journals : others).push_back(entry->path());
+  }
+  for (const fs::path& journal : journals) {
+    undo(folder, read_journal(journal));
+    unlink(journal.c_str());
+  }
+  for (const fs::path& file : others) {
+    // What somebody writes is locked, in whatever process or container the writer lives.
+    const Descriptor part{open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)};
+    if (part.number >= 0 && flock(part.number, LOCK_EX | LOCK_NB) == 0) unlink(file.c_str());
+  }
+}
+
+Part::Part(fs::path file, NamedBy named_by) : file_(std::move(file)), named_by_(named_by) {
+  const fs::path folder = folder_of(file_);
+  settle(folder);
+  require_replaceable();
   while (descriptor_ < 0) {
-    path_ = folder_of(file_) / fmt::format(".bookspin-{}-{}.part", getpid(), ++count);
+    path_ = private_name(folder, "part");
     descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (descriptor_ < 0 && errno != EEXIST) fail(file_, "cannot be opened for writing");
-    if (descriptor_ >= 0 && !lock(descriptor_)) close(std::exchange(descriptor_, -1));
+    if (descriptor_ < 0 && errno != EEXIST) throw_file_error(file_, "cannot be opened for writing");
+    if (descriptor_ < 0) continue;
+    // Another program that settled the folder between creation and lock has taken the file away. A file system may
+    // know no locks.
+    struct stat found {};
+    const bool taken = flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    if (taken || fstat(descriptor_, &found) != 0 || found.st_nlink == 0) close(std::exchange(descriptor_, -1));
   }
 }
 
@@ -90,20 +162,96 @@ Part::~Part() {
   close(descriptor_);
 }
 
+// Renaming a file over a link, a device or a FIFO would replace what stands for something else.
+void Part::require_replaceable() const {
+  struct stat found {};
+  if (lstat(file_.c_str(), &found) != 0) {
+    if (errno != ENOENT) throw_file_error(file_, "cannot be opened for writing");
+    return;
+  }
+  if (!S_ISREG(found.st_mode)) {
+    throw_file_error(file_, "cannot be replaced",
+                     S_ISDIR(found.st_mode)   ? "is a folder"
+                     : S_ISLNK(found.st_mode) ? "is a symbolic link"
+                                              : "is not a regular file");
+  }
+  if (named_by_ == NamedBy::user || found.st_size == 0) return;
+  if (read_checksums(folder_of(file_)).contains(file_.filename().string())) return;
+  throw_file_error(file_, "cannot be replaced",
+                   fmt::format("is no file of bookspin's ({} does not list it): move it away, or choose another folder",
+                               checksums_name));
+}
+
+void Part::take_name() {
+  if (rename(path_.c_str(), file_.c_str()) != 0) throw_file_error(file_, "cannot be renamed");
+  path_.clear();
+}
+
+void Part::flush() const {
+  if (fsync(descriptor_) != 0) throw_file_error(file_, "cannot be flushed to the disk");
+}
+
 void publish(const std::vector<Part*>& parts, const fs::path& obsolete) {
+  const fs::path folder = folder_of(parts.front()->file_);
+  const auto name_of = [](const fs::path& file) { return file.filename().string(); };
+  Checksums made;
   for (const Part* part : parts) {
-    if (fsync(part->descriptor_) != 0) fail(part->file_, "cannot be flushed to the disk");
+    part->flush();
+    if (part->named_by_ == NamedBy::program) made[name_of(part->file_)] = sha256_of(part->path_);
   }
-  // Two programs that publish the same names must not mix them. Best effort: not every file system locks a folder.
-  const Descriptor folder{open(folder_of(parts.front()->file_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
-  flock(folder.number, LOCK_EX);
-  for (const Part* part : parts) require_replaceable(part->file_);
-  for (Part* part : parts) {
-    if (rename(part->path_.c_str(), part->file_.c_str()) != 0) fail(part->file_, "cannot be renamed");
-    part->path_.clear();
+  if (parts.size() == 1 && made.empty() && obsolete.empty()) {
+    parts.front()->require_replaceable();
+    parts.front()->take_name();
+    return;
   }
-  std::error_code ignored;
-  if (!obsolete.empty()) fs::remove(obsolete, ignored);
+  std::vector<Part*> all = parts;
+  Part list(folder / checksums_name);
+  Part journal(private_name(folder, "undo"));
+
+  const FolderLock lock(folder);
+  for (const Part* part : parts) part->require_replaceable();
+  Checksums checksums = read_checksums(folder);
+  const bool obsolete_is_ours = checksums.erase(name_of(obsolete)) > 0 && fs::exists(obsolete);
+  if (obsolete_is_ours || !made.empty()) {
+    std::erase_if(checksums, [&](const auto& entry) { return !fs::exists(folder / entry.first); });
+    made.merge(checksums);
+    write_part(list, [&](std::ostream& out) { out << text_of(made); });
+    list.flush();
+    all.push_back(&list);
+  }
+  std::vector<Step> steps;
+  for (const Part* part : all) {
+    struct stat found {};
+    if (fstat(part->descriptor_, &found) != 0) throw_file_error(part->file_, "cannot be renamed");
+    const bool replaces = fs::exists(part->file_);
+    steps.push_back({found.st_ino, name_of(part->file_), replaces ? name_of(private_name(folder, "old")) : ""});
+  }
+  if (obsolete_is_ours) steps.push_back({0, name_of(obsolete), name_of(private_name(folder, "old"))});
+  write_part(journal, [&](std::ostream& out) { out << journal_of(steps); });
+  journal.flush();
+
+  // From here to its removal the journal says how to go back: for us, or for whoever settles the folder after a kill.
+  const auto remove_backups = [&] {
+    for (const Step& step : steps) {
+      if (!step.backup.empty()) removed(folder / step.backup);
+    }
+  };
+  try {
+    journal.take_name();
+    lock.flush(folder);
+    for (const Step& step : steps) {
+      if (!step.backup.empty()) keep_as(folder / step.backup, folder / step.name);
+    }
+    for (Part* part : all) part->take_name();
+    if (obsolete_is_ours && !removed(obsolete)) throw_file_error(obsolete, "cannot be removed");
+    lock.flush(folder);
+    if (!removed(journal.file_)) throw_file_error(journal.file_, "cannot be removed");
+  } catch (...) {
+    undo(folder, steps);
+    if (removed(journal.file_)) remove_backups();
+    throw;
+  }
+  remove_backups();
 }
 
 }  // namespace bookspin

@@ -2,10 +2,11 @@
 // program can have, and is gone unless it is published.
 //
 // The constructor makes the file, empty, and throws when the final name cannot be replaced by it: a folder, a device, a
-// FIFO, a symbolic link, a name too long. The part is locked while it lives: what a killed program left is nobody's,
-// and is removed by the next Part in that folder. publish() flushes all parts to the disk and then renames them, in
-// their order; whoever publishes in that folder at the same time comes before all of them or after. All parts must be
-// in one folder. Throws std::runtime_error "FILE: what failed: the system's reason".
+// FIFO, a symbolic link, a name too long; and a file of the user's under a name that the program has chosen
+// (checksums.h lists its own). publish() gives all parts their names, or on any error none: what stands there then is
+// what stood there. The parts must be in one folder. A program that is killed leaves files whose names begin with
+// ".bookspin-", locked by nobody: the next Part in that folder, or settle(), takes back what it had half published and
+// removes them. Throws std::runtime_error "FILE: what failed: the system's reason".
 #pragma once
 
 #include <filesystem>
@@ -13,9 +14,11 @@
 
 namespace bookspin {
 
+enum class NamedBy { user, program };
+
 class Part {
  public:
-  explicit Part(std::filesystem::path file);
+  explicit Part(std::filesystem::path file, NamedBy named_by = NamedBy::user);
   ~Part();
   Part(const Part&) = delete;
   Part& operator=(const Part&) = delete;
@@ -25,13 +28,19 @@ class Part {
 
  private:
   friend void publish(const std::vector<Part*>& parts, const std::filesystem::path& obsolete);
+  void require_replaceable() const;
+  void flush() const;
+  void take_name();
 
   std::filesystem::path file_;
+  NamedBy named_by_;
   std::filesystem::path path_;  // empty: published
   int descriptor_ = -1;         // holds the lock
 };
 
-// `obsolete`, if any, is a file of that folder that goes when the parts come.
+// `obsolete`, if any, is a file of that folder that goes when the parts come, if it is the program's own.
 void publish(const std::vector<Part*>& parts, const std::filesystem::path& obsolete = {});
+
+void settle(const std::filesystem::path& folder);
 
 }  // namespace bookspin

@@ -6,10 +6,12 @@
 #include <stdexcept>
 
 #include "drawing_source.h"
+#include "files/checksums.h"
 #include "files/files.h"
-#include "files/fingerprint.h"
+#include "image/png.h"
 #include "render/renderer.h"
 #include "scene/scene_file.h"
+#include "video/mp4_writer.h"
 
 namespace bookspin {
 namespace {
@@ -31,7 +33,7 @@ Film load_film(const fs::path& script, const FilmSettings& settings) {
   for (const std::string& text : settings.overrides) require_utf8("--set", text);
   Film film;
   film.file = script;
-  film.script = read_file(script);
+  film.script = read_file_or_pipe(script);
   film.scene = parse_scene(film.script, script.string(), settings.overrides);
   film.first_frame = settings.first_frame;
   film.end_frame = settings.end_frame.value_or(film.scene.clip.frames);
@@ -51,12 +53,17 @@ Products products(const Film& film, const fs::path& folder) {
   return {folder / (name + ".mp4"), folder / (name + ".png"), folder / (name + ".json")};
 }
 
+std::map<std::string, std::string> library_versions() {
+  return {{"libavcodec", encoder_version()}, {"libpng", png_version()}, {"FreeType", freetype_version()}};
+}
+
 std::string fingerprint_of_drawing(const fs::path& assets) {
-  std::string all = drawing_source;
+  std::string all = drawing_source + describe_opengl(ContextKind::any);
+  for (const auto& [name, version] : library_versions()) all += '\n' + name + ' ' + version;
   for (const fs::path& file : files_drawn_from(assets)) {
-    all += file.filename().string() + ' ' + fingerprint(read_file(file)) + '\n';
+    all += '\n' + file.filename().string() + ' ' + sha256(read_file(file));
   }
-  return fingerprint(all);
+  return sha256(all);
 }
 
 }  // namespace bookspin

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,8 +51,11 @@ struct Products {
 
 [[nodiscard]] Products products(const Film& film, const std::filesystem::path& folder);
 
-// Of all that makes a picture, beside the script: shaders, textures, fonts, and the program's own source from dynamics
-// to film. Another program that draws alike has the same.
+// Of the libraries, beside OpenGL, whose version shapes the bytes of a film.
+[[nodiscard]] std::map<std::string, std::string> library_versions();
+
+// Of all that makes a picture, beside the script: shaders, textures, fonts, libraries, and the program's own source from
+// dynamics to film. Another program that draws alike has the same. Throws std::runtime_error when one is missing.
 [[nodiscard]] std::string fingerprint_of_drawing(const std::filesystem::path& assets);
 
 }  // namespace bookspin

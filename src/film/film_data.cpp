@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <stdexcept>
 
+#include "files/checksums.h"
 #include "files/files.h"
-#include "files/fingerprint.h"
 #include "scene/scene_file.h"
 
 namespace bookspin {
@@ -18,12 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-// Nothing for a file that is no JSON, or cannot be read.
-Json read_json(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return Json::parse(in, nullptr, false);
-}
 
 Json made_with(const Film& film) {
   return {{"width", film.width},
@@ -43,10 +36,9 @@ Json clip_of(const Film& film, int drawn_frames) {
           {"drawn_frames", drawn_frames}};
 }
 
-Json fingerprints(const Film& film, const fs::path& mp4, const fs::path& poster) {
-  Json json = Json::object();
-  if (!film.is_still()) json["film"] = fingerprint(read_file(mp4));
-  json["poster"] = fingerprint(read_file(poster));
+Json checksums_json(const std::string& film, const std::string& poster) {
+  Json json{{"film", film}, {"poster", poster}};
+  if (film.empty()) json.erase("film");
   return json;
 }
 
@@ -73,7 +65,10 @@ Json as_json(const FilmData& data) {
   if (data.mp4 != nullptr) json["film"] = data.mp4->file().filename().string();
   json["poster"] = data.poster.file().filename().string();
   json["made_with"] = made_with(film);
-  json["fingerprints"] = fingerprints(film, data.mp4 == nullptr ? "" : data.mp4->path(), data.poster.path());
+  json["versions"] = {{"bookspin", BOOKSPIN_VERSION}, {"OpenGL", data.opengl}};
+  for (const auto& [name, version] : library_versions()) json["versions"][name] = version;
+  json["sha256"] =
+      checksums_json(data.mp4 == nullptr ? "" : sha256_of(data.mp4->path()), sha256_of(data.poster.path()));
   json["clip"] = clip_of(film, data.drawn_frames);
   json["met"] = std::all_of(data.verdicts.begin(), data.verdicts.end(), [](const Verdict& v) { return v.met; });
   json["expectations"] = Json::array();
@@ -137,10 +132,16 @@ void write_film_data(const Part& part, const FilmData& data) {
 }
 
 bool is_up_to_date(const Film& film, const Products& products) try {
-  const Json found = read_json(products.data);
+  settle(products.data.parent_path());
+  const Checksums listed = read_checksums(products.data.parent_path());
+  for (const fs::path& product : {products.film, products.poster, products.data}) {
+    if (!(film.is_still() && product == products.film) && !is_as_listed(listed, product)) return false;
+  }
+  const Json found = Json::parse(read_file(products.data), nullptr, false);
   const Json wanted{{"format", film_format},
                     {"made_with", made_with(film)},
-                    {"fingerprints", fingerprints(film, products.film, products.poster)},
+                    {"sha256", checksums_json(film.is_still() ? "" : listed.at(products.film.filename().string()),
+                                              listed.at(products.poster.filename().string()))},
                     {"met", true},
                     {"script", film.script}};
   for (const auto& [key, value] : wanted.items()) {
@@ -149,12 +150,6 @@ bool is_up_to_date(const Film& film, const Products& products) try {
   return true;
 } catch (const std::runtime_error&) {
   return false;  // a product cannot be read
-}
-
-bool is_film_of(const fs::path& data, const fs::path& mp4) {
-  const Json json = read_json(data);
-  return json.contains("format") && json["format"] == film_format && json.contains("film") &&
-         json["film"] == mp4.filename().string();
 }
 
 }  // namespace bookspin

@@ -4,10 +4,11 @@
 //   title, caption, script        as in the scene script (script: its whole text)
 //   film, poster                  file names beside this one (film: absent for a still)
 //   made_with                     width and height in pixels; frames: [first, end) as asked for; set: the overrides, as
-//                                 given; drawn_by: the fingerprint of shaders, textures, fonts and source
-//   fingerprints                  of the bytes of film and poster
-//   clip                          frames, fps, time_per_frame, substeps; first_frame and drawn_frames: what is filmed; fewer than
-//                                 asked for when every book has exploded
+//                                 given; drawn_by: the fingerprint of shaders, textures, fonts, libraries and source
+//   versions                      of bookspin and of each library that shapes the bytes
+//   sha256                        of film and poster
+//   clip                          frames, fps, time_per_frame, substeps; first_frame and drawn_frames: what is filmed;
+//                                 fewer than asked for when every book has exploded
 //   met                           true when every expectation is met
 //   expectations                  says, quantity, text, met, found, frame: one for each bound
 //   cues                          captions of the script's own: says, first_frame, end_frame (the first without it)
@@ -36,6 +37,7 @@ struct FilmData {
   int drawn_frames;
   const Part* mp4;  // complete; nullptr: a still
   const Part& poster;
+  const std::string& opengl;  // Renderer::description()
 };
 
 // Throws std::runtime_error.
@@ -44,8 +46,5 @@ void write_film_data(const Part& part, const FilmData& data);
 // Whether the products are there as they were made, of the same script in the same way, with every expectation met.
 // False for files that cannot be read or are not of this format.
 [[nodiscard]] bool is_up_to_date(const Film& film, const Products& products);
-
-// Whether `data` names `mp4`, a file beside it, as its film.
-[[nodiscard]] bool is_film_of(const std::filesystem::path& data, const std::filesystem::path& mp4);
 
 }  // namespace bookspin

@@ -18,7 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void refuse_to_replace_the_script(const Film& film, const Products& names) {
+// Makes the folder; none of the products is the script.
+Products prepare(const Film& film, const fs::path& folder) {
+  Products names = products(film, folder);
   for (const fs::path& product : {names.film, names.poster, names.data}) {
     std::error_code ignored;  // of names that do not exist
     if (fs::equivalent(product, film.file, ignored)) {
@@ -26,28 +28,40 @@ void refuse_to_replace_the_script(const Film& film, const Products& names) {
                                               product.string(), film.file.stem().string()));
     }
   }
+  fs::create_directories(folder);
+  return names;
 }
+
+struct PartsOfFilm {
+  std::optional<Part> mp4;  // none: a still
+  Part poster;
+  Part data;
+
+  PartsOfFilm(const Film& film, const Products& names)
+      : poster(names.poster, NamedBy::program), data(names.data, NamedBy::program) {
+    if (!film.is_still()) mp4.emplace(names.film, NamedBy::program);
+  }
+};
 
 }  // namespace
 
+void require_products(const Film& film, const fs::path& folder) {
+  const PartsOfFilm parts(film, prepare(film, folder));
+}
+
 FilmReceipt shoot(const Film& film, const fs::path& folder, Renderer& renderer, Progress& progress,
                   const std::stop_token& stop) {
-  const Products names = products(film, folder);
-  refuse_to_replace_the_script(film, names);
-  fs::create_directories(folder);
-  std::optional<Part> mp4;
-  if (!film.is_still()) mp4.emplace(names.film);
-  Part poster(names.poster);
-  Part data(names.data);
-
-  const Trajectory trajectory = simulate(film.scene, stop, &progress.frames_simulated);
-  FilmReceipt receipt;
-  receipt.verdicts = judge(film.scene, trajectory);
-  const Storyboard storyboard(film.scene, trajectory, film.width, film.height);
+  const Products names = prepare(film, folder);
+  PartsOfFilm parts(film, names);
+  auto& [mp4, poster, data] = parts;
   std::optional<Mp4Writer> writer;
   if (mp4) {
     writer.emplace(*mp4, Mp4Writer::Settings{film.width, film.height, film.scene.clip.fps, film.scene.title});
   }
+  const Trajectory trajectory = simulate(film.scene, stop, &progress.frames_simulated);
+  FilmReceipt receipt;
+  receipt.verdicts = judge(film.scene, trajectory);
+  const Storyboard storyboard(film.scene, trajectory, film.width, film.height);
   const int end_frame = std::clamp(storyboard.frames(), film.first_frame + 1, film.end_frame);
   const int poster_frame = (film.first_frame + end_frame) / 2;
   for (int frame = film.first_frame; frame < end_frame; ++frame) {
@@ -59,15 +73,15 @@ FilmReceipt shoot(const Film& film, const fs::path& folder, Renderer& renderer, 
   }
   if (writer) writer->finish();
   progress.frames_drawn += film.end_frame - end_frame;  // those that need not be drawn
-  write_film_data(data,
-                  {film, trajectory, receipt.verdicts, end_frame - film.first_frame, mp4 ? &*mp4 : nullptr, poster});
+  write_film_data(data, {film, trajectory, receipt.verdicts, end_frame - film.first_frame, mp4 ? &*mp4 : nullptr,
+                         poster, renderer.description()});
 
   receipt.product = mp4 ? names.film : names.poster;
   receipt.bytes = fs::file_size(mp4 ? mp4->path() : poster.path());
   if (mp4) {
     publish({&*mp4, &poster, &data});
   } else {
-    publish({&poster, &data}, is_film_of(names.data, names.film) ? names.film : fs::path());
+    publish({&poster, &data}, names.film);
   }
   ++progress.films_done;
   return receipt;

@@ -36,6 +36,9 @@ struct Progress {
   std::atomic<int> films_done = 0;
 };
 
+// Throws what shoot() would throw because a product cannot have its name; leaves the folder and nothing in it.
+void require_products(const Film& film, const std::filesystem::path& folder);
+
 // The renderer must have the film's size. Asked to stop, throws Stopped before the next frame.
 [[nodiscard]] FilmReceipt shoot(const Film& film, const std::filesystem::path& folder, Renderer& renderer,
                                 Progress& progress, const std::stop_token& stop = {});

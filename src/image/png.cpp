@@ -4,27 +4,15 @@
 #include <png.h>
 
 #include <cassert>
-#include <cerrno>
-#include <cstdio>
-#include <memory>
-#include <stdexcept>
-#include <system_error>
+#include <cstdint>
+
+#include "files/files.h"
 
 namespace bookspin {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path, const char* operation, const char* reason) {
-  throw std::runtime_error(fmt::format("{}: {}: {}", path.string(), operation, reason));
-}
-
-[[noreturn]] void fail_with_errno(const std::filesystem::path& path, const char* operation) {
-  fail(path, operation, std::generic_category().message(errno).c_str());
-}
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
+constexpr unsigned most_side = 16384;  // pixels, as OpenGL's textures
+constexpr unsigned most_pixels = 1U << 26U;
 
 // libpng's simplified interface: it reports through a message, not through longjmp.
 struct PngImage : png_image {
@@ -52,15 +40,30 @@ std::vector<std::uint8_t> without_alpha(const Image& image) {
 
 }  // namespace
 
-Image read_png(const std::filesystem::path& path) {
-  const File file(std::fopen(path.c_str(), "rb"));
-  if (!file) fail_with_errno(path, "open PNG");
+std::string png_version() {
+  return png_get_libpng_ver(nullptr);
+}
+
+Image parse_png(const std::string& bytes, const std::filesystem::path& name) {
   PngImage png;
-  if (png_image_begin_read_from_stdio(&png, file.get()) == 0) fail(path, "read PNG", png.message);
+  if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) {
+    throw_file_error(name, "read PNG", bytes.empty() ? "is empty" : png.message);
+  }
+  if (png.width > most_side || png.height > most_side || std::uint64_t{png.width} * png.height > most_pixels) {
+    throw_file_error(name, "read PNG",
+                     fmt::format("found {}x{} pixels; allowed: sides up to {}, and up to {} pixels", png.width,
+                                 png.height, most_side, most_pixels));
+  }
   png.format = PNG_FORMAT_RGBA;
   Image image(static_cast<int>(png.width), static_cast<int>(png.height));
-  if (png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr) == 0) fail(path, "read PNG", png.message);
+  if (png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr) == 0) {
+    throw_file_error(name, "read PNG", png.message);
+  }
   return image;
+}
+
+Image read_png(const std::filesystem::path& path) {
+  return parse_png(read_file(path), path);
 }
 
 void write_png(const Part& part, const Image& image) {
@@ -72,13 +75,12 @@ void write_png(const Part& part, const Image& image) {
   png.width = static_cast<png_uint_32>(image.width);
   png.height = static_cast<png_uint_32>(image.height);
   png.format = rgb ? PNG_FORMAT_RGB : PNG_FORMAT_RGBA;
-
-  File file(std::fopen(part.path().c_str(), "wb"));
-  if (!file) fail_with_errno(part.file(), "open PNG");
-  if (png_image_write_to_stdio(&png, file.get(), 0, pixels.data(), 0, nullptr) == 0) {
-    fail(part.file(), "write PNG", png.message);
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&png, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0) {
+    throw_file_error(part.file(), "write PNG", png.message);
   }
-  if (std::fclose(file.release()) != 0) fail_with_errno(part.file(), "close PNG");
+  write_part(part, [&](std::ostream& out) { out.write(bytes.data(), static_cast<std::streamsize>(size)); });
 }
 
 void write_png(const std::filesystem::path& path, const Image& image) {

@@ -6,13 +6,17 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "files/part.h"
 #include "image/image.h"
 
 namespace bookspin {
 
+[[nodiscard]] std::string png_version();  // of libpng
+
 [[nodiscard]] Image read_png(const std::filesystem::path& path);
+[[nodiscard]] Image parse_png(const std::string& bytes, const std::filesystem::path& name);  // name: for messages
 void write_png(const std::filesystem::path& path, const Image& image);
 void write_png(const Part& part, const Image& image);
 

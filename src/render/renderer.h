@@ -37,6 +37,8 @@ class Renderer {
 // The OpenGL that would draw. Throws std::runtime_error when there is none of the kind.
 [[nodiscard]] std::string describe_opengl(ContextKind kind);
 
+[[nodiscard]] std::string freetype_version();
+
 // Every file that a renderer reads: shaders, textures, fonts.
 [[nodiscard]] std::vector<std::filesystem::path> files_drawn_from(const std::filesystem::path& assets);
 

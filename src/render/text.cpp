@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "render/renderer.h"
+
 namespace bookspin {
 namespace {
 
@@ -235,6 +237,17 @@ void TextPainter::draw(const TextLayout& layout, const Rect& clip, Image& pictur
       blend(pixel, layout.color, cover[i] * layout.color.a / 255);
     }
   }
+}
+
+std::string freetype_version() {
+  FT_Library library = nullptr;
+  if (FT_Init_FreeType(&library) != 0) return "unknown";
+  int major = 0;
+  int minor = 0;
+  int patch = 0;
+  FT_Library_Version(library, &major, &minor, &patch);
+  FT_Done_FreeType(library);
+  return fmt::format("{}.{}.{}", major, minor, patch);
 }
 
 }  // namespace bookspin

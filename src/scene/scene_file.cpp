@@ -248,7 +248,7 @@ Scene parse_scene(std::string_view text, const std::string& name, std::span<cons
 }
 
 Scene load_scene(const std::filesystem::path& file, std::span<const std::string> overrides) {
-  return parse_scene(read_file(file), file.string(), overrides);
+  return parse_scene(read_file_or_pipe(file), file.string(), overrides);
 }
 
 std::string_view name_of(Method method) {

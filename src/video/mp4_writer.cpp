@@ -34,10 +34,14 @@ const AVCodec* find_encoder() {
 
 }  // namespace
 
-std::string describe_encoder() {
+std::string encoder_version() {
   const unsigned version = avcodec_version();
-  return std::string(find_encoder()->name) + " by libavcodec " + std::to_string(version >> 16U) + "." +
-         std::to_string(version >> 8U & 0xffU) + "." + std::to_string(version & 0xffU);
+  return std::to_string(version >> 16U) + "." + std::to_string(version >> 8U & 0xffU) + "." +
+         std::to_string(version & 0xffU);
+}
+
+std::string describe_encoder() {
+  return std::string(find_encoder()->name) + " by libavcodec " + encoder_version();
 }
 
 struct Mp4Writer::Film {
@@ -50,6 +54,7 @@ struct Mp4Writer::Film {
   Libav<AVPacket> packet;
   AVStream* stream = nullptr;  // owned by the muxer
   std::int64_t frames = 0;
+  int reread_error = 0;  // of the file that libav reads again, without a look at errors, to move the index to the front
 
   Film(const Part& part, Settings wanted);
   void open_muxer();
@@ -95,6 +100,11 @@ void Mp4Writer::Film::open_muxer() {
   check(avformat_alloc_output_context2(&format, nullptr, "mp4", url.c_str()), "set up the MP4 format");
   muxer.reset(format);
   muxer->flags |= AVFMT_FLAG_BITEXACT;
+  muxer->opaque = this;
+  muxer->io_close2 = [](AVFormatContext* context, AVIOContext* read) {
+    if (read->error < 0) static_cast<Film*>(context->opaque)->reread_error = read->error;
+    return avio_close(read);
+  };
   stream = avformat_new_stream(muxer.get(), nullptr);
   if (stream == nullptr) throw std::bad_alloc();
   if (settings.title.empty()) return;
@@ -193,6 +203,7 @@ void Mp4Writer::finish() {
   if (film.frames == 0) throw std::invalid_argument(film.file.string() + ": a film needs at least one frame");
   film.encode(nullptr);
   film.check(av_write_trailer(film.muxer.get()), "write the index");
+  film.check(film.reread_error, "move the index to the front");
   avio_flush(film.muxer->pb);
   film.check(film.muxer->pb->error, "write the index");
   film.check(avio_closep(&film.muxer->pb), "close");

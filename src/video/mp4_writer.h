@@ -18,6 +18,7 @@ namespace bookspin {
 
 // The encoder and the library that has it. Throws std::runtime_error when there is none.
 [[nodiscard]] std::string describe_encoder();
+[[nodiscard]] std::string encoder_version();  // of libavcodec
 
 class Mp4Writer {
  public:

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <stdexcept>
 
+#include "files/checksums.h"
 #include "files/files.h"
 #include "scratch.h"
 
@@ -119,14 +120,47 @@ TEST(Part, SeveralTakeTheirNamesTogetherOrNotAtAll) {
   }
 }
 
-TEST(Part, AnObsoleteFileGoesWhenThePartsCome) {
+TEST(Part, AnObsoleteFileGoesWhenThePartsComeIfItIsTheProgramsOwn) {
   const Scratch scratch;
-  write_text(scratch / "old", "old");
-  Part part(scratch / "new");
-  EXPECT_TRUE(fs::exists(scratch / "old"));
-  publish({&part}, scratch / "old");
-  EXPECT_FALSE(fs::exists(scratch / "old"));
-  EXPECT_TRUE(fs::exists(scratch / "new"));
+  for (const char* name : {"ours", "users"}) write_text(scratch / name, "old");
+  write_text(scratch / checksums_name, text_of({{"ours", std::string(64, '0')}}));
+  for (const char* name : {"ours", "users"}) {
+    Part part(scratch / "new");
+    EXPECT_TRUE(fs::exists(scratch / name));
+    publish({&part}, scratch / name);
+    EXPECT_EQ(fs::exists(scratch / name), name == std::string("users"));
+  }
+  EXPECT_EQ(files_in(scratch.folder()), 3);  // users, new, and the list, which is empty
+  EXPECT_TRUE(read_checksums(scratch.folder()).empty());
+}
+
+TEST(Part, UnderANameOfTheProgramsChoiceReplacesItsOwnFilesAlone) {
+  const Scratch scratch;
+  const auto make = [&scratch](const std::string& text) {
+    Part part(scratch / "a", NamedBy::program);
+    write(part, text);
+    publish({&part});
+  };
+  write_text(scratch / "a", "mine");
+  EXPECT_THAT([&] { make("new"); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("a: cannot be replaced: is no file of bookspin's")));
+  EXPECT_EQ(read_text(scratch / "a"), "mine");
+  EXPECT_EQ(files_in(scratch.folder()), 1);
+  write_text(scratch / "a", "");  // nothing is lost
+  make("one");
+  make("two");
+  EXPECT_EQ(read_text(scratch / "a"), "two");
+  EXPECT_EQ(read_checksums(scratch.folder()), (Checksums{{"a", sha256("two")}}));
+}
+
+TEST(Part, TheListForgetsFilesThatAreGone) {
+  const Scratch scratch;
+  for (const char* name : {"a", "b"}) {
+    Part part(scratch / name, NamedBy::program);
+    publish({&part});
+    fs::remove(scratch / "a");
+  }
+  EXPECT_EQ(read_checksums(scratch.folder()), (Checksums{{"b", sha256("")}}));
 }
 
 TEST(Part, WhatAKilledProgramLeftIsRemovedByTheNext) {

@@ -89,7 +89,7 @@ struct Shoot : testing::Test {
 
 TEST_F(Shoot, LeavesFilmPosterAndData) {
   const FilmReceipt receipt = shoot_it();
-  EXPECT_EQ(files_in(site), (std::vector<std::string>{"tumbling.json", "tumbling.mp4", "tumbling.png"}));
+  EXPECT_EQ(files_in(site), (std::vector<std::string>{"bookspin.sha256", "tumbling.json", "tumbling.mp4", "tumbling.png"}));
   EXPECT_EQ(receipt.product, site / "tumbling.mp4");
   EXPECT_EQ(receipt.bytes, fs::file_size(site / "tumbling.mp4"));
   const auto data = nlohmann::json::parse(read_text(site / "tumbling.json"));
@@ -137,7 +137,7 @@ TEST_F(Shoot, AStillLeavesNoFilm) {
   settings.overrides = {"clip.frames=1"};
   const FilmReceipt receipt = shoot_it(load_film(script, settings));
   EXPECT_EQ(receipt.product, site / "tumbling.png");
-  EXPECT_EQ(files_in(site), (std::vector<std::string>{"tumbling.json", "tumbling.png"}));
+  EXPECT_EQ(files_in(site), (std::vector<std::string>{"bookspin.sha256", "tumbling.json", "tumbling.png"}));
 }
 
 TEST_F(Shoot, PartOfTheFramesOfTheSameMotion) {
@@ -254,7 +254,7 @@ TEST_F(Shoot, NamesAsLongAsAFileMayHave) {
   FilmSettings settings = small();
   settings.end_frame = 1;
   shoot_it(load_film(scratch / (longest + ".toml"), settings));
-  EXPECT_EQ(files_in(site), (std::vector<std::string>{longest + ".json", longest + ".mp4", longest + ".png"}));
+  EXPECT_EQ(files_in(site), (std::vector<std::string>{"bookspin.sha256", longest + ".json", longest + ".mp4", longest + ".png"}));
 
   const std::string too_long(251, 'n');  // "NAME.json" would have 256 bytes
   write_text(scratch / (too_long + ".tml"), tumbling);
@@ -262,7 +262,7 @@ TEST_F(Shoot, NamesAsLongAsAFileMayHave) {
   EXPECT_THAT([&] { shoot_it(load_film(scratch / (too_long + ".tml"), settings)); },
               ThrowsMessage<std::runtime_error>(HasSubstr("File name too long")));
   EXPECT_EQ(progress.frames_drawn, 0);
-  EXPECT_EQ(files_in(site).size(), 3U);
+  EXPECT_EQ(files_in(site).size(), 4U);
 }
 
 TEST_F(Shoot, WhatTheDataCannotHoldIsRefusedBeforeTheWork) {
@@ -289,7 +289,7 @@ TEST_F(Shoot, TwoWhoFilmOneNameDoNotMixTheirFilms) {
     EXPECT_NE(up_to_date(small()), up_to_date(shorter));
     const auto data = nlohmann::json::parse(read_text(site / "tumbling.json"));
     EXPECT_EQ(read_mp4_info(site / "tumbling.mp4").frames, data["clip"]["frames"].get<int>());
-    EXPECT_EQ(files_in(site).size(), 3U);
+    EXPECT_EQ(files_in(site).size(), 4U);
   }
 }
 
@@ -298,7 +298,7 @@ TEST_F(Shoot, AStillTakesAwayTheFilmThatItWas) {
   still.overrides = {"clip.frames=1"};
   shoot_it();
   shoot_it(load_film(script, still));
-  EXPECT_EQ(files_in(site), (std::vector<std::string>{"tumbling.json", "tumbling.png"}));
+  EXPECT_EQ(files_in(site), (std::vector<std::string>{"bookspin.sha256", "tumbling.json", "tumbling.png"}));
 
   write_text(site / "tumbling.mp4", "another's");
   shoot_it(load_film(script, still));

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <zlib.h>
 
 #include <filesystem>
 #include <fstream>
@@ -84,7 +86,7 @@ TEST_F(Png, LeavesNothingHalfWritten) {
 TEST_F(Png, ErrorsNameFileOperationAndReason) {
   EXPECT_THAT([&] { (void)read_png(folder_ / "none.png"); },
               ThrowsMessage<std::runtime_error>(
-                  AllOf(HasSubstr("none.png"), HasSubstr("open PNG"), HasSubstr("No such file or directory"))));
+                  AllOf(HasSubstr("none.png"), HasSubstr("cannot be read"), HasSubstr("No such file or directory"))));
   EXPECT_THAT([&] { write_png(folder_ / "no" / "folder.png", gradient(255)); },
               ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("folder.png"), HasSubstr("cannot be opened"),
                                                       HasSubstr("No such file or directory"))));
@@ -97,6 +99,36 @@ TEST_F(Png, ErrorsNameFileOperationAndReason) {
   fs::resize_file(folder_ / "cut.png", fs::file_size(folder_ / "cut.png") / 2);
   EXPECT_THAT([&] { (void)read_png(folder_ / "cut.png"); },
               ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("cut.png"), HasSubstr("read PNG"))));
+
+  std::ofstream(folder_ / "empty.png").flush();
+  EXPECT_THAT([&] { (void)read_png(folder_ / "empty.png"); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("empty.png: read PNG: is empty")));
+  EXPECT_THAT([&] { (void)read_png(folder_); }, ThrowsMessage<std::runtime_error>(HasSubstr("is a folder")));
+  ASSERT_EQ(mkfifo((folder_ / "fifo.png").c_str(), 0600), 0);  // whoever opens it waits for a writer
+  EXPECT_THAT([&] { (void)read_png(folder_ / "fifo.png"); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("is not a regular file")));
+}
+
+// Width and height stand in bytes 16 to 23, their checksum in 29 to 32.
+TEST_F(Png, AbsurdSizesAreRefusedBeforeMemoryIsTaken) {
+  write_png(folder_ / "a.png", gradient(255));
+  const std::string good = bytes_of(folder_ / "a.png");
+  const auto sized = [&good](std::uint32_t width, std::uint32_t height) {
+    std::string bytes = good;
+    const auto put = [&bytes](std::size_t at, std::uint32_t number) {
+      for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<char>(number >> (24U - 8U * i));
+    };
+    put(16, width);
+    put(20, height);
+    put(29, static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(&bytes[12]), 17)));
+    return bytes;
+  };
+  const std::vector<std::string> absurd{sized(100000, 100000), sized(16384, 16384), sized(1, 16385)};
+  for (const std::string& bytes : absurd) {
+    EXPECT_THAT(
+        [&] { (void)parse_png(bytes, "a.png"); },
+        ThrowsMessage<std::runtime_error>(HasSubstr("pixels; allowed: sides up to 16384, and up to 67108864 pixels")));
+  }
 }
 
 }  // namespace

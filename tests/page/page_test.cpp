@@ -219,7 +219,7 @@ TEST_F(Page, TheSameFilmsGiveTheSameBytesAndNothingElseIsLeft) {
   const std::string once = made();
   EXPECT_EQ(made(), once);
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch / "site"), fs::directory_iterator()),
-            5);  // page, film, poster, data, captions
+            6);  // page, film, poster, data, captions, and the list of bookspin's files
 }
 
 TEST_F(Page, TheReportIsLinkedWhenThereIsOne) {
