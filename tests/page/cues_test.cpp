@@ -165,7 +165,7 @@ TEST_P(CuesOf, AreTrueAtBothEnds) {
   Part poster(scratch / "a.png");
   Part data(scratch / "a.json");
   const int drawn = std::min(Storyboard(film.scene, trajectory, film.width, film.height).frames(), film.frames());
-  write_film_data(data, {film, trajectory, judge(film.scene, trajectory), drawn, &mp4, poster});
+  write_film_data(data, {film, trajectory, judge(film.scene, trajectory), drawn, &mp4, poster, "none"});
   publish({&data});
   const FilmRecord record = read_film_record(scratch / "a.json").value();
   const auto cues = cues_of(record);
