@@ -30,6 +30,7 @@ constexpr double title_height = 0.04;
 constexpr double name_height = 0.042;
 constexpr double figure_height = 0.035;
 constexpr double line_height = 0.05;
+constexpr double rim_px = 1.5;     // of the smallest text, beyond either end of its line
 constexpr double name_gap = 0.06;  // between texts below two books in a row, in those of their distance
 
 // A book's part of the picture.
@@ -156,7 +157,7 @@ void Storyboard::fit_text(int width, int height) {
       const bool in_row = std::abs(there.y() - here.y()) < 3.0 * line_height * height;
       if (in_row && apart > 0.5 * line_height * height) half = std::min(half, 0.5 * apart);
     }
-    return 2.0 * (1.0 - name_gap) * half;
+    return 2.0 * ((1.0 - name_gap) * half - rim_px);
   };
   for (int frame = 0; frame < scene_->clip.frames; ++frame) {
     for (Label& label : text(frame)) {
