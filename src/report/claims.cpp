@@ -174,11 +174,14 @@ void claims(Draft& draft) {
       const std::vector<std::string> trial = filled(*claim["trials"][i].node(), facts.say, file);
       commands.push_back(fmt::format("bookspin check videos/{}.toml --set '{}'", trial.front(),
                                      fmt::join(trial.begin() + 1, trial.end(), "' --set '")));
-      for (const Verdict& v : draft.judge(trial)) {
+      const auto [clip, verdicts] = draft.judge(trial);
+      for (const Verdict& v : verdicts) {
         facts.say[std::string(1, static_cast<char>('a' + facts.found.size()))] = {
             {"found", v.found},
             {"frame", v.frame},
             {"met", v.met},
+            {"h", clip.time_per_frame / clip.substeps},
+            {"time", clip.time_per_frame * clip.frames},
             {"explodes", v.met ? fmt::format("explodes in frame {}", v.frame) : "does not explode"}};
         facts.found.push_back(v);
       }

@@ -88,7 +88,11 @@ struct Draft {
   void plot(const std::string& name, const Plot& plot);  // as NAME.svg
   // What `bookspin check videos/SCRIPT.toml --set ... --set 'expect=[...]'` finds; trial: the script and what is set. A
   // motion that several trials share is simulated once.
-  [[nodiscard]] std::vector<Verdict> judge(const std::vector<std::string>& trial);
+  struct Judged {
+    Clip clip;
+    std::vector<Verdict> verdicts;
+  };
+  [[nodiscard]] Judged judge(const std::vector<std::string>& trial);
 };
 
 // Each section computes, keeps its tables and plots, and says its numbers to the page; in this order.

@@ -79,13 +79,13 @@ void Draft::plot(const std::string& name, const Plot& plot) {
   files[name + ".svg"] = svg_of(name + ".svg", plot);
 }
 
-std::vector<Verdict> Draft::judge(const std::vector<std::string>& trial) {
+Draft::Judged Draft::judge(const std::vector<std::string>& trial) {
   const Scene scene = load_scene(order.project / "videos" / (trial.front() + ".toml"), std::span(trial).subspan(1));
   std::vector<std::string> motion = trial;
   std::erase_if(motion, [](const std::string& text) { return text.starts_with("expect="); });
   const auto [place, is_new] = motions.try_emplace(motion);
   if (is_new) place->second = simulate(scene);
-  return bookspin::judge(scene, place->second);
+  return {scene.clip, bookspin::judge(scene, place->second)};
 }
 
 void make_report(const ReportOrder& order, const Tell& tell) {

@@ -32,6 +32,9 @@ std::vector<std::string> names_of(std::vector<Solver> solvers, Method odeint) {
 const std::vector<std::string> rigid_methods = names_of(rigid_solvers(), Method::quaternion);
 const std::vector<std::string> spring_methods = names_of(spring_solvers(), Method::springs);
 
+// The paper's springs stand in the place of explicit Euler's.
+const std::size_t contenders = rigid_solvers().size() + spring_solvers().size();
+
 // Made once for all tests.
 struct Report : testing::Test {
   static void SetUpTestSuite() {
@@ -112,8 +115,8 @@ TEST_F(Report, EveryTableHasEveryMethod) {
   for (const char* letter : {"a", "b", "c", "d"})
     EXPECT_EQ(methods_of(std::string("cheapest_") + letter), rigid_methods) << letter;
   EXPECT_EQ(methods_of("cheapest_springs"), spring_methods);
-  EXPECT_EQ(json["growth_rates"].size(), 14U);
-  EXPECT_EQ(json["flip_times"][0].size(), 16U);  // with the kick and theory
+  EXPECT_EQ(json["growth_rates"].size(), contenders);
+  EXPECT_EQ(json["flip_times"][0].size(), 2 + contenders);  // with the kick and theory
 }
 
 TEST_F(Report, TheExactMethodBeatsAll) {
@@ -153,12 +156,12 @@ TEST_F(Report, EulerLosesTheBook) {
 }
 
 TEST_F(Report, HigherOrderIsNearerAtTheSameStep) {
-  const double step = 0.3125;  // one that all have in common
+  const double step = 1.25;  // one that all have in common
   const double rk4 = error_at("case a", "rk4", step);
   const double splitting4 = error_at("case a", "splitting4", step);
   const double dmv = error_at("case a", "dmv", step);
-  EXPECT_LT(1e3 * dmv, rk4);
-  EXPECT_LT(1e3 * dmv, splitting4);
+  EXPECT_LT(1e3 * dmv, rk4);         // measured 6.5e-11 and 3.3e-5
+  EXPECT_LT(1e3 * dmv, splitting4);  // measured 9.0e-7
 }
 
 TEST_F(Report, RunsThatEndBadlyAreMarked) {
@@ -197,7 +200,7 @@ TEST_F(Report, TiltsGrowAtSigma) {
 }
 
 TEST_F(Report, FlipsComeAtTheirTimes) {
-  int flips = 0;
+  std::size_t flips = 0;
   for (const Json& row : json["flip_times"]) {
     if (!row["theory"].is_number() || row["theory"].get<double>() > 399.0) continue;
     for (const auto& [method, time] : row.items()) {
@@ -207,7 +210,7 @@ TEST_F(Report, FlipsComeAtTheirTimes) {
       ++flips;
     }
   }
-  EXPECT_GE(flips, 30);
+  EXPECT_EQ(flips, 2 * (1 + contenders));  // of two kicks, with theory
 }
 
 TEST_F(Report, NormalizationHidesTheLossOfAngularMomentum) {
