@@ -33,7 +33,9 @@ class MatrixBook {
   [[nodiscard]] const Eigen::Matrix3d& R_WB() const { return R_WB_; }
   [[nodiscard]] Corners corners_W() const { return R_WB_ * body_.corners_B; }
   [[nodiscard]] Eigen::Vector3d angular_momentum_W() const { return L_W_; }
-  [[nodiscard]] double kinetic_energy() const { return 0.5 * L_W_.dot(angular_velocity_W(R_WB_, body_.I_B, L_W_)); }
+  [[nodiscard]] double kinetic_energy() const {
+    return 0.5 * L_W_.cwiseProduct(angular_velocity_W(R_WB_, body_.I_B, L_W_)).sum();
+  }
 
  private:
   Body body_;
@@ -52,7 +54,7 @@ class QuaternionBook {
   [[nodiscard]] Corners corners_W() const { return q_WB_.toRotationMatrix() * body_.corners_B; }
   [[nodiscard]] Eigen::Vector3d angular_momentum_W() const { return L_W_; }
   [[nodiscard]] double kinetic_energy() const {
-    return 0.5 * L_W_.dot(angular_velocity_W(q_WB_.toRotationMatrix(), body_.I_B, L_W_));
+    return 0.5 * L_W_.cwiseProduct(angular_velocity_W(q_WB_.toRotationMatrix(), body_.I_B, L_W_)).sum();
   }
 
  private:

@@ -26,7 +26,9 @@ class FreeBook {
   [[nodiscard]] const Eigen::Vector3d& L_B() const { return state_.L_B; }
   [[nodiscard]] Corners corners_W() const { return state_.q_WB.toRotationMatrix() * body_.corners_B; }
   [[nodiscard]] Eigen::Vector3d angular_momentum_W() const { return state_.q_WB.toRotationMatrix() * state_.L_B; }
-  [[nodiscard]] double kinetic_energy() const { return 0.5 * state_.L_B.dot(state_.L_B.cwiseQuotient(body_.I_B)); }
+  [[nodiscard]] double kinetic_energy() const {
+    return 0.5 * state_.L_B.cwiseProduct(state_.L_B.cwiseQuotient(body_.I_B)).sum();
+  }
 
  private:
   Body body_;
@@ -49,7 +51,7 @@ class ExactBook {
     return particle_mass_ * (state_.q_WB.toRotationMatrix() * state_.L_B);
   }
   [[nodiscard]] double kinetic_energy() const {
-    return 0.5 * particle_mass_ * state_.L_B.dot(state_.L_B.cwiseQuotient(body_.I_B));
+    return 0.5 * particle_mass_ * state_.L_B.cwiseProduct(state_.L_B.cwiseQuotient(body_.I_B)).sum();
   }
 
  private:

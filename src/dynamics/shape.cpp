@@ -58,7 +58,7 @@ double geodesic_angle(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) 
 }
 
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
+  return std::atan2(a.cross(b).norm(), a.cwiseProduct(b).sum());
 }
 
 }  // namespace bookspin

@@ -138,7 +138,8 @@ SpringForces SpringBook::forces(const Corners& x_W, const Corners& v_W) const {
       result.elastic_energy += 0.5 * stiffness_ * r * r;
       if (length > 0.0) {
         const Eigen::Vector3d xhat = d / length;
-        const Eigen::Vector3d F = -(damping_ * xhat.dot(v_W.col(i) - v_W.col(j)) + stiffness_ * r) * xhat;
+        const Eigen::Vector3d F =
+            -(damping_ * xhat.cwiseProduct(v_W.col(i) - v_W.col(j)).sum() + stiffness_ * r) * xhat;
         result.F_W.col(i) += F;
         result.F_W.col(j) -= F;
       }
