@@ -24,6 +24,7 @@
 #include "image/compare.h"
 #include "image/png.h"
 #include "page/page.h"
+#include "page/verify.h"
 #include "report/report.h"
 #include "scene/judge.h"
 #include "scene/scene_file.h"
@@ -280,6 +281,18 @@ int make_page(const Options& options) {
       write_page({folder_or(options.folder, "site"), find_assets(options.assets) / "videos" / "page"});
   print(fmt::format("{}: {}, {}\n", page.file.string(), counted(page.films, "film"), readable_size(page.bytes)));
   return 0;
+}
+
+int verify_products(const Options& options) {
+  const fs::path folder = folder_or(options.folder, "site");
+  const std::vector<Finding> findings = verify(folder);
+  const auto good = std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return f.whole && f.met; });
+  for (const Finding& f : findings) {
+    const char* verdict = !f.whole ? "DAMAGED" : !f.met ? "NOT MET" : "whole";
+    print(fmt::format("{:36}  {:7}  {}\n", f.file, verdict, f.says));
+  }
+  print(fmt::format("{}: {} of {} as they should be\n", folder.string(), good, findings.size()));
+  return good == static_cast<std::ptrdiff_t>(findings.size()) ? 0 : 1;
 }
 
 int compare_pictures(const Options& options) {

@@ -13,6 +13,7 @@ int check_scenes(const Options& options);
 int write_trajectory(const Options& options);
 int report(const Options& options);
 int make_page(const Options& options);
+int verify_products(const Options& options);
 int examine(const Options& options);
 int explain(const Options& options);
 int print_schema(const Options& options);

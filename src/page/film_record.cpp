@@ -132,14 +132,18 @@ FilmRecord::Book read_book(const Value& book, int frames) {
 }  // namespace
 
 std::optional<FilmRecord> read_film_record(const fs::path& file) {
-  const std::string text = read_file(file);
+  return parse_film_record(read_file(file), file);
+}
+
+std::optional<FilmRecord> parse_film_record(const std::string& text, const fs::path& file) {
   Json json;
   try {
     json = Json::parse(text);
-  } catch (const Json::parse_error& error) {
+  } catch (const Json::exception& error) {  // no JSON, or a number beyond all others
     if (text.find(any_film_format) == std::string::npos) return {};
-    throw std::invalid_argument(fmt::format("{}: is cut short or broken at byte {}; `bookspin render {}.toml` makes it",
-                                            file.string(), error.byte, file.stem().string()));
+    const std::string what = error.what();
+    throw std::invalid_argument(fmt::format("{}: is cut short or broken: {}; `bookspin render {}.toml` makes it",
+                                            file.string(), what.substr(what.find("] ") + 2), file.stem().string()));
   }
   if (!json.is_object() || !json.contains("format") || !json["format"].is_string()) return {};
   const std::string format = json["format"];
@@ -154,6 +158,9 @@ std::optional<FilmRecord> read_film_record(const fs::path& file) {
   film.script = root["script"].text();
   if (root.has("film")) film.film = root["film"].file_name();
   film.poster = root["poster"].file_name();
+  const auto text_of = [](const Value& value) { return value.text(); };
+  film.versions = root["versions"].map(text_of);
+  film.sha256 = root["sha256"].map(text_of);
   constexpr int most_pixels = 1 << 16;
   film.width = root["made_with"]["width"].whole_number(1, most_pixels);
   film.height = root["made_with"]["height"].whole_number(1, most_pixels);

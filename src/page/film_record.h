@@ -57,7 +57,9 @@ struct FilmRecord {
   double time_per_frame = 0.0;  // simulated
   int first_frame = 0;
   int drawn_frames = 0;
-  std::vector<Cue> cues;  // the script's own
+  std::map<std::string, std::string> versions;  // of what made it
+  std::map<std::string, std::string> sha256;    // "film" (not of a still) and "poster"
+  std::vector<Cue> cues;                        // the script's own
   std::vector<Expectation> expectations;
   std::vector<Quantity> quantities;
   std::vector<Book> books;  // at least one
@@ -68,5 +70,6 @@ struct FilmRecord {
 
 // Nothing for a file that does not claim to be a film's data: other JSON may lie beside the films.
 [[nodiscard]] std::optional<FilmRecord> read_film_record(const std::filesystem::path& file);
+[[nodiscard]] std::optional<FilmRecord> parse_film_record(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace bookspin

@@ -50,8 +50,8 @@ struct Cli : testing::Test {
 
 TEST_F(Cli, HelpOfEveryCommandHasAnExample) {
   EXPECT_EQ((*this)("--help").exit_code, 0);
-  for (const char* command : {"list", "render", "frame", "check", "trajectory", "page", "report", "compare", "doctor",
-                              "help", "schema", "completion"}) {
+  for (const char* command : {"list", "render", "frame", "check", "trajectory", "page", "verify", "report", "compare",
+                              "doctor", "help", "schema", "completion"}) {
     const Said said = (*this)(std::string(command) + " --help");
     EXPECT_EQ(said.exit_code, 0);
     EXPECT_THAT(said.out, HasSubstr("Example")) << command;
@@ -268,7 +268,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{"nothing", "", 2, "A subcommand is required"},
         BadCall{
             "unknown_command", "film mine.toml", 2,
-            "unknown command 'film'; allowed: list, render, frame, check, trajectory, page, report, compare, doctor, "
+            "unknown command 'film'; allowed: list, render, frame, check, trajectory, page, verify, report, compare, "
+            "doctor, "
             "help, schema, completion\n"},
         BadCall{"nearly_a_command", "rendr mine.toml", 2, "unknown command 'rendr'; did you mean render?\n"},
         BadCall{"nearly_a_topic", "help scenes", 2, "help: found 'scenes'; did you mean scene?\n"},

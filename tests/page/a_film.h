@@ -42,6 +42,8 @@ inline nlohmann::json a_film(int frames = 20) {
           {"caption", "What it shows."},
           {"film", "a.mp4"},
           {"poster", "a.png"},
+          {"versions", {{"bookspin", "1.1.0"}}},
+          {"sha256", {{"film", "0"}, {"poster", "0"}}},
           {"made_with", {{"width", 64}, {"height", 36}}},
           {"clip",
            {{"frames", frames},

@@ -72,7 +72,9 @@ TEST_F(Door, NamesAnotherVersionAndAFileCutShort) {
   film["format"] = "bookspin film 2";
   EXPECT_EQ(said(film.dump()), "format: found \"bookspin film 2\"; allowed: \"bookspin film 1\"");
   const std::string whole = a_film().dump();
-  EXPECT_THAT(said(whole.substr(0, whole.size() - 5)), StartsWith("is cut short or broken at byte "));
+  EXPECT_THAT(said(whole.substr(0, whole.size() - 5)), StartsWith("is cut short or broken: parse error at line "));
+  EXPECT_EQ(said(R"({"format": "bookspin film 1", "n": 1e9999})"),
+            "is cut short or broken: number overflow parsing '1e9999'; `bookspin render a.toml` makes it");
 }
 
 TEST_F(Door, NamesKeyFoundAndAllowed) {
