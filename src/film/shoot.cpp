@@ -76,6 +76,7 @@ FilmReceipt shoot(const Film& film, const fs::path& folder, Renderer& renderer, 
   write_film_data(data, {film, trajectory, receipt.verdicts, end_frame - film.first_frame, mp4 ? &*mp4 : nullptr,
                          poster, renderer.description()});
 
+  receipt.frames = end_frame - film.first_frame;
   receipt.product = mp4 ? names.film : names.poster;
   receipt.bytes = fs::file_size(mp4 ? mp4->path() : poster.path());
   if (mp4) {

@@ -26,6 +26,7 @@ namespace bookspin {
 struct FilmReceipt {
   std::filesystem::path product;  // the MP4, or the PNG of a still
   std::uintmax_t bytes = 0;       // of the product
+  int frames = 0;                 // drawn
   std::vector<Verdict> verdicts;
 };
 

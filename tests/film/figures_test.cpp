@@ -88,6 +88,7 @@ TEST_P(Figure, FilmHasEveryFrameAndMeetsEveryExpectation) {
   }
   const Mp4Info info = read_mp4_info(scratch / (GetParam() + ".mp4"));
   EXPECT_EQ(info.frames, data["clip"]["drawn_frames"]);
+  EXPECT_EQ(info.frames, receipt.frames);
   EXPECT_EQ(info.fps, scene.clip.fps);
   EXPECT_EQ(info.width, 160);
   EXPECT_EQ(info.height, 90);
