@@ -3,6 +3,7 @@
 import html
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -13,6 +14,7 @@ except ImportError:
     sys.exit(77)
 
 bookspin, folder = sys.argv[1], pathlib.Path(sys.argv[2])
+shutil.rmtree(folder, ignore_errors=True)  # what another build left is not to be met
 videos = pathlib.Path(__file__).parents[2] / "videos"
 for name, settings in (("fig09_matrix", ["--set", "clip.frames=60"]), ("fig01_axes", [])):
     subprocess.run([bookspin, "render", videos / f"{name}.toml", "-o", folder, "--size", "64x36", *settings], stdout=subprocess.DEVNULL)
