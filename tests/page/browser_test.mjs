@@ -194,10 +194,13 @@ await check("a claim and an event show their moment, film in sight", async () =>
     const time = Number(await there.getAttribute("data-time"));
     await there.click();
     await until(page, "fig05_unstable_x", link, (s) => near(s.time, time) && near(s.cursor, time));
+    // In sight and at rest: a click on a page that still scrolls is not a reader's.
     await page.waitForFunction(() => {
       const box = document.querySelector("#fig05_unstable_x .screen").getBoundingClientRect();
-      return box.top >= -1 && box.bottom <= innerHeight + 1;
-    });
+      const rests = window.lastTop === box.top;
+      window.lastTop = box.top;
+      return rests && box.top >= -1 && box.bottom <= innerHeight + 1;
+    }, null, { polling: 200 });
   }
   await close(page);
 });
