@@ -3,11 +3,11 @@
 .NOTPARALLEL:  # two builds in one folder break it; each build uses every core by itself
 .PHONY: figures test page report bench golden package matrix clean
 
-# Every film, a report made in seconds where there is none, then the course page around them, in videos/site/.
+# Every film, the course page around them, and where there is no report one made in seconds, to which the page links: videos/site/.
 figures: program
 	build/bookspin render --update videos/*.toml -o videos/site
-	test -e videos/site/report/index.html || build/bookspin report --quick -o videos/site/report
 	build/bookspin page videos/site
+	test -e videos/site/report/index.html || { build/bookspin report --quick -o videos/site/report && build/bookspin page videos/site; }
 
 test: everything
 	@tests/page/browser_tools.sh build/browser

@@ -48,6 +48,7 @@ void publish_all(Draft& draft) {
   nlohmann::ordered_json data = this_machine(draft.order.commit);
   draft.page["machine"] = data;
   draft.page["quick"] = data["quick"] = draft.order.quick;
+  draft.page["beside_films"] = std::filesystem::exists(draft.order.folder / ".." / "index.html");
   draft.page["repeats"] = draft.effort.repeats;
   draft.page["most_evaluations"] = static_cast<double>(draft.effort.most_evaluations);
   data.update(draft.tables);
