@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <fstream>
+#include <initializer_list>
 #include <sstream>
 
 #include "files/files.h"
@@ -13,6 +15,7 @@
 namespace bookspin {
 namespace {
 
+namespace fs = std::filesystem;
 using Word = std::uint32_t;
 
 // The first 32 bits of the fractional parts of the cube roots of the first 64 primes.
@@ -63,6 +66,33 @@ std::string unescaped(std::string_view name) {
   return out;
 }
 
+// Nothing for what is not there, or too large to be text of ours.
+std::string text_in(const fs::path& file) try { return read_file(file); } catch (const std::runtime_error&) {
+  return {};
+}
+
+bool has_all(std::string_view text, std::initializer_list<std::string_view> parts) {
+  return std::all_of(parts.begin(), parts.end(),
+                     [text](std::string_view part) { return text.find(part) != text.npos; });
+}
+
+// As the versions without lists wrote their JSON: outermost keys behind a newline and a space, where no text has any.
+bool is_film_data(std::string_view text) {
+  return (text.starts_with("{\n \"format\": \"bookspin film") || text.starts_with("{\n \"title\": ")) &&
+         has_all(text, {"\n \"made_with\": {", "\n \"clip\": {", "\n \"script\": \"", "\n \"books\": ["});
+}
+
+bool is_report_data(std::string_view text) {
+  return text.starts_with("{\n \"") &&
+         has_all(text, {"\n \"processor\": \"", "\n \"compiler\": \"", "\n \"flags\": \""});
+}
+
+bool is_page(std::string_view text) {
+  return has_all(text, {"<title>The unstable rotation of a book</title>"}) ||
+         has_all(text, {"content=\"Films of a book that tumbles in space, each with its chart"}) ||
+         has_all(text, {"<title>A tumbling book: speed against error</title>"});
+}
+
 std::string sha256(std::istream& in) {
   // The first 32 bits of the fractional parts of the square roots of the first 8 primes.
   std::array<Word, 8> hash{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
@@ -91,7 +121,7 @@ std::string sha256(const std::string& bytes) {
   return sha256(in);
 }
 
-std::string sha256_of(const std::filesystem::path& file) {
+std::string sha256_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::string digits = in ? sha256(in) : "";
   if (!in.eof() || in.bad()) throw_file_error(file, "cannot be read");
@@ -123,14 +153,30 @@ std::string text_of(const Checksums& checksums) {
   return text;
 }
 
-Checksums read_checksums(const std::filesystem::path& folder) {
-  const std::filesystem::path file = folder / checksums_name;
-  return std::filesystem::is_regular_file(file) ? parse_checksums(read_file(file)) : Checksums();
+Checksums read_checksums(const fs::path& folder) {
+  const fs::path file = folder / checksums_name;
+  return fs::is_regular_file(file) ? parse_checksums(read_file(file)) : Checksums();
 }
 
-bool is_as_listed(const Checksums& listed, const std::filesystem::path& file) {
+bool is_as_listed(const Checksums& listed, const fs::path& file) {
   const auto entry = listed.find(file.filename().string());
-  return entry != listed.end() && std::filesystem::is_regular_file(file) && entry->second == sha256_of(file);
+  return entry != listed.end() && fs::is_regular_file(file) && entry->second == sha256_of(file);
+}
+
+bool is_own(const Checksums& listed, const fs::path& file) {
+  const std::string name = file.filename().string();
+  const std::string kind = file.extension().string();
+  if (listed.contains(name)) return true;
+  if (name == "index.html") return is_page(text_in(file));
+  const std::string data = text_in(fs::path(file).replace_extension(".json"));
+  if (kind == ".json") return is_film_data(data) || is_report_data(data);
+  if (is_film_data(data)) {
+    if (kind == ".vtt") return text_in(file).starts_with("WEBVTT\n");
+    return has_all(data, {fmt::format("\n \"{}\": {}", kind == ".mp4" ? "film" : "poster", '"' + name + '"')});
+  }
+  const std::string report = text_in(file.parent_path() / "report.json");
+  return is_report_data(report) && (has_all(report, {fmt::format("\n \"{}\": [", file.stem().string())}) ||
+                                    has_all(text_in(file.parent_path() / "index.html"), {'"' + name + '"'}));
 }
 
 }  // namespace bookspin

@@ -2,7 +2,8 @@
 //
 // A folder's list is its file "bookspin.sha256", as `sha256sum --check` reads it: one line a file, "DIGEST  NAME", by
 // name; a name with a newline or a backslash is escaped, and the line then starts with a backslash. Lines that are not
-// of this form are passed over. Sources: FIPS 180-4 (SHA-256); GNU coreutils (the form).
+// of this form are passed over. Versions up to 1.1 wrote no lists: their files are known by what they hold. Sources: FIPS
+// 180-4 (SHA-256); GNU coreutils (the form).
 #pragma once
 
 #include <filesystem>
@@ -28,5 +29,9 @@ using Checksums = std::map<std::string, std::string>;  // file name -> digest
 
 // Whether the file is there, listed, and has the bytes that it had when it was made.
 [[nodiscard]] bool is_as_listed(const Checksums& listed, const std::filesystem::path& file);
+
+// Whether the file is the program's own: listed, or made by a version that wrote no lists: a film's data, by their first
+// and their outermost keys; film, poster and captions beside such data that name them; course page and report.
+[[nodiscard]] bool is_own(const Checksums& listed, const std::filesystem::path& file);
 
 }  // namespace bookspin

@@ -55,7 +55,7 @@ void write_part(const Part& part, const std::function<void(std::ostream&)>& writ
   std::ofstream out(part.path(), std::ios::binary);
   if (out) write(out);
   out.close();
-  if (!out) throw_file_error(part.file(), "cannot be written");
+  if (!out) throw_file_error(part.shown(), "cannot be written");
 }
 
 std::string readable_size(std::uintmax_t bytes) {

@@ -108,6 +108,20 @@ bool removed(const fs::path& file) {
   return unlink(file.c_str()) == 0 || errno == ENOENT;
 }
 
+// What renaming a file to this name would replace; a link, a device or a FIFO stands for something else.
+struct stat require_replaceable_kind(const fs::path& file) {
+  struct stat found {};
+  if (lstat(file.c_str(), &found) != 0) {
+    if (errno != ENOENT) throw_file_error(file, "cannot be opened for writing");
+  } else if (!S_ISREG(found.st_mode)) {
+    throw_file_error(file, "cannot be replaced",
+                     S_ISDIR(found.st_mode)   ? "is a folder"
+                     : S_ISLNK(found.st_mode) ? "is a symbolic link"
+                                              : "is not a regular file");
+  }
+  return found;
+}
+
 // A link, so that the name never is without a file; where the file system knows none, the file itself.
 void keep_as(const fs::path& backup, const fs::path& file) {
   if (link(file.c_str(), backup.c_str()) == 0) return;
@@ -147,7 +161,7 @@ Part::Part(fs::path file, NamedBy named_by) : file_(std::move(file)), named_by_(
   while (descriptor_ < 0) {
     path_ = private_name(folder, "part");
     descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (descriptor_ < 0 && errno != EEXIST) throw_file_error(file_, "cannot be opened for writing");
+    if (descriptor_ < 0 && errno != EEXIST) throw_file_error(shown(), "cannot be opened for writing");
     if (descriptor_ < 0) continue;
     // Another program that settled the folder between creation and lock has taken the file away. A file system may
     // know no locks.
@@ -162,33 +176,27 @@ Part::~Part() {
   close(descriptor_);
 }
 
-// Renaming a file over a link, a device or a FIFO would replace what stands for something else.
 void Part::require_replaceable() const {
-  struct stat found {};
-  if (lstat(file_.c_str(), &found) != 0) {
-    if (errno != ENOENT) throw_file_error(file_, "cannot be opened for writing");
-    return;
-  }
-  if (!S_ISREG(found.st_mode)) {
-    throw_file_error(file_, "cannot be replaced",
-                     S_ISDIR(found.st_mode)   ? "is a folder"
-                     : S_ISLNK(found.st_mode) ? "is a symbolic link"
-                                              : "is not a regular file");
-  }
-  if (named_by_ == NamedBy::user || found.st_size == 0) return;
-  if (read_checksums(folder_of(file_)).contains(file_.filename().string())) return;
+  const bool holds_something = require_replaceable_kind(file_).st_size > 0;
+  if (named_by_ == NamedBy::user) return;
+  require_replaceable_kind(folder_of(file_) / checksums_name);
+  if (!holds_something || is_own(read_checksums(folder_of(file_)), file_)) return;
   throw_file_error(file_, "cannot be replaced",
                    fmt::format("is no file of bookspin's ({} does not list it): move it away, or choose another folder",
                                checksums_name));
 }
 
+fs::path Part::shown() const {
+  return kind_of(file_.filename().string()).empty() ? file_ : folder_of(file_);
+}
+
 void Part::take_name() {
-  if (rename(path_.c_str(), file_.c_str()) != 0) throw_file_error(file_, "cannot be renamed");
+  if (rename(path_.c_str(), file_.c_str()) != 0) throw_file_error(shown(), "cannot be renamed");
   path_.clear();
 }
 
 void Part::flush() const {
-  if (fsync(descriptor_) != 0) throw_file_error(file_, "cannot be flushed to the disk");
+  if (fsync(descriptor_) != 0) throw_file_error(shown(), "cannot be flushed to the disk");
 }
 
 void publish(const std::vector<Part*>& parts, const fs::path& obsolete) {
@@ -211,7 +219,8 @@ void publish(const std::vector<Part*>& parts, const fs::path& obsolete) {
   const FolderLock lock(folder);
   for (const Part* part : parts) part->require_replaceable();
   Checksums checksums = read_checksums(folder);
-  const bool obsolete_is_ours = checksums.erase(name_of(obsolete)) > 0 && fs::exists(obsolete);
+  const bool obsolete_is_ours = fs::is_regular_file(fs::symlink_status(obsolete)) && is_own(checksums, obsolete);
+  checksums.erase(name_of(obsolete));
   if (obsolete_is_ours || !made.empty()) {
     std::erase_if(checksums, [&](const auto& entry) { return !fs::exists(folder / entry.first); });
     made.merge(checksums);
@@ -222,7 +231,7 @@ void publish(const std::vector<Part*>& parts, const fs::path& obsolete) {
   std::vector<Step> steps;
   for (const Part* part : all) {
     struct stat found {};
-    if (fstat(part->descriptor_, &found) != 0) throw_file_error(part->file_, "cannot be renamed");
+    if (fstat(part->descriptor_, &found) != 0) throw_file_error(part->shown(), "cannot be renamed");
     const bool replaces = fs::exists(part->file_);
     steps.push_back({found.st_ino, name_of(part->file_), replaces ? name_of(private_name(folder, "old")) : ""});
   }
@@ -245,7 +254,7 @@ void publish(const std::vector<Part*>& parts, const fs::path& obsolete) {
     for (Part* part : all) part->take_name();
     if (obsolete_is_ours && !removed(obsolete)) throw_file_error(obsolete, "cannot be removed");
     lock.flush(folder);
-    if (!removed(journal.file_)) throw_file_error(journal.file_, "cannot be removed");
+    if (!removed(journal.file_)) throw_file_error(folder, "its journal cannot be removed");
   } catch (...) {
     undo(folder, steps);
     if (removed(journal.file_)) remove_backups();

@@ -3,7 +3,7 @@
 //
 // The constructor makes the file, empty, and throws when the final name cannot be replaced by it: a folder, a device, a
 // FIFO, a symbolic link, a name too long; and a file of the user's under a name that the program has chosen
-// (checksums.h lists its own). publish() gives all parts their names, or on any error none: what stands there then is
+// (its own: checksums.h). publish() gives all parts their names, or on any error none: what stands there then is
 // what stood there. The parts must be in one folder. A program that is killed leaves files whose names begin with
 // ".bookspin-", locked by nobody: the next Part in that folder, or settle(), takes back what it had half published and
 // removes them. Throws std::runtime_error "FILE: what failed: the system's reason".
@@ -25,6 +25,7 @@ class Part {
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }  // the name it will have
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }  // where to write it
+  [[nodiscard]] std::filesystem::path shown() const;  // in messages: a file of the transaction is its folder
 
  private:
   friend void publish(const std::vector<Part*>& parts, const std::filesystem::path& obsolete);

@@ -92,6 +92,8 @@ Draft::Judged Draft::judge(const std::vector<std::string>& trial) {
 void make_report(const ReportOrder& order, const Tell& tell) {
   require_gnuplot();  // now, not after minutes of measuring
   std::filesystem::create_directories(order.folder);
+  for (const char* name : {"report.json", "index.html"})
+    const Part can_be_written(order.folder / name, NamedBy::program);
   std::string at;
   Draft draft{order, order.quick ? Effort{100'000, 1, 0, 3.0, true} : Effort(),
               [&](std::string_view what) { tell(fmt::format("{}, {}", at, what)); }};

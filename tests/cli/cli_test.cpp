@@ -149,6 +149,22 @@ TEST_F(Cli, MakesThePageOfAStrangersFilms) {
   EXPECT_THAT(read_text(scratch / "films/index.html"), HasSubstr("<article class=\"film\" id=\"mine\""));
 }
 
+// As an older version leaves one.
+TEST_F(Cli, TakesOverAFolderWithoutAList) {
+  for (int round = 0; round < 2; ++round) {
+    EXPECT_EQ((*this)("render mine.toml -o films --size 64x36").exit_code, 0);
+    EXPECT_EQ((*this)("page films").exit_code, 0);
+    EXPECT_EQ((*this)("verify films").exit_code, 0);
+    fs::remove(scratch / "films/bookspin.sha256");
+  }
+  write_text(scratch / "films/mine.png", "a user's picture");
+  write_text(scratch / "films/mine.json", "a user's list");
+  const Said said = (*this)("render mine.toml -o films --size 64x36");
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.err, HasSubstr("mine.png: cannot be replaced: is no file of bookspin's"));
+  EXPECT_EQ(read_text(scratch / "films/mine.png"), "a user's picture");
+}
+
 TEST_F(Cli, ComparesPictures) {
   Image picture(32, 16);
   for (std::uint8_t& level : picture.rgba) level = 255;

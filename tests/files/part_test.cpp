@@ -9,7 +9,9 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <span>
 #include <stdexcept>
+#include <utility>
 
 #include "files/checksums.h"
 #include "files/files.h"
@@ -151,6 +153,66 @@ TEST(Part, UnderANameOfTheProgramsChoiceReplacesItsOwnFilesAlone) {
   make("two");
   EXPECT_EQ(read_text(scratch / "a"), "two");
   EXPECT_EQ(read_checksums(scratch.folder()), (Checksums{{"a", sha256("two")}}));
+}
+
+// Both ways in which versions without lists wrote a film's data, and what they wrote beside.
+TEST(Part, TakesOverWhatAVersionWithoutListsMade) {
+  const std::string tail =
+      " \"film\": \"a.mp4\",\n \"poster\": \"a.png\",\n \"made_with\": {\n },\n \"clip\": {\n },\n \"script\": "
+      "\"\",\n \"books\": [\n ]\n}\n";
+  for (const char* head : {"{\n \"title\": \"T\",\n", "{\n \"format\": \"bookspin film 1\",\n"}) {
+    const Scratch scratch;
+    write_text(scratch / "a.json", head + tail);
+    write_text(scratch / "a.vtt", "WEBVTT\n");
+    write_text(scratch / "index.html", "<title>The unstable rotation of a book</title>");
+    for (const char* name : {"a.mp4", "a.png"}) write_text(scratch / name, "old");
+    fs::create_directories(scratch / "report");
+    write_text(scratch / "report/report.json",
+               "{\n \"processor\": \"p\",\n \"compiler\": \"c\",\n \"flags\": \"f\",\n \"runs\": [\n ]\n}\n");
+    write_text(scratch / "report/index.html", "<title>A tumbling book: speed against error</title><img src=\"a.svg\">");
+    for (const char* name : {"report/runs.csv", "report/a.svg"}) write_text(scratch / name, "old");
+    for (const char* name : {"a.json", "a.vtt", "index.html", "a.mp4", "a.png", "report/report.json",
+                             "report/index.html", "report/runs.csv", "report/a.svg"}) {
+      EXPECT_NO_THROW(Part(scratch / name, NamedBy::program)) << name;
+    }
+    Part still(scratch / "a.png", NamedBy::program);
+    publish({&still}, scratch / "a.mp4");
+    EXPECT_FALSE(fs::exists(scratch / "a.mp4"));
+  }
+}
+
+TEST(Part, TakesOverNothingThatIsTheUsers) {
+  const Scratch scratch;
+  const std::string data =
+      "{\n \"title\": \"T\",\n \"film\": \"other.mp4\",\n \"poster\": \"other.png\",\n \"made_with\": {\n },\n "
+      "\"clip\": {\n },\n \"script\": \"\",\n \"books\": [\n ]\n}\n";
+  const std::pair<const char*, std::string> files[] = {
+      {"ours.json", data},
+      {"ours.mp4", "of another film's name"},
+      {"ours.png", "of another film's name"},
+      {"ours.vtt", "the user's own captions"},
+      {"alone.mp4", "no data beside it"},
+      {"alone.json", "{\n \"title\": \"T\"\n}\n"},
+      {"quoting.json", "{\n \"title\": \"T\",\n \"note\": \"\\n \\\"made_with\\\": {\\n \\\"clip\\\": {\"\n}\n"},
+      {"compact.json", "{\"title\":\"T\",\"made_with\":{},\"clip\":{},\"script\":\"\",\"books\":[]}"},
+      {"index.html", "<title>My films</title>"},
+      {"runs.csv", "no report beside it"}};
+  for (const auto& [name, text] : files) write_text(scratch / name, text);
+  for (const auto& [name, text] : std::span(files).subspan(1)) {
+    const fs::path file = scratch / name;
+    EXPECT_THAT([&file] { const Part part(file, NamedBy::program); },
+                ThrowsMessage<std::runtime_error>(HasSubstr("is no file of bookspin's")));
+    EXPECT_EQ(read_text(file), text);
+  }
+}
+
+TEST(Part, AListThatIsNoFileIsRefusedAtOnce) {
+  const Scratch scratch;
+  write_text(scratch / "elsewhere", "");
+  fs::create_symlink("elsewhere", scratch / checksums_name);
+  EXPECT_THAT([&] { Part(scratch / "a", NamedBy::program); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("bookspin.sha256: cannot be replaced: is a symbolic link")));
+  EXPECT_NO_THROW(Part(scratch / "a"));
 }
 
 TEST(Part, TheListForgetsFilesThatAreGone) {
