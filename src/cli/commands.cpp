@@ -72,7 +72,8 @@ std::optional<Scene> try_load_scene(const fs::path& script, const Options& optio
 }
 
 // No font at all is no matter of a check, and an error of the drawing.
-void warn_of_boxes(const std::string& script, const Scene& scene) {
+void remark(const std::string& script, const Scene& scene) {
+  for (const std::string& what : remarks_on(scene)) complain(fmt::format("{}: {}", script, what));
   try {
     for (const std::string& characters : lacking_characters(scene)) {
       complain(fmt::format("{}: {}: not in the font, drawn as a box", script, characters));
@@ -158,7 +159,7 @@ int render_scenes(const Options& options) {
       Film film = load_film(script, settings);
       if (options.update && is_up_to_date(film, products(film, folder))) return false;
       require_products(film, folder);
-      warn_of_boxes(film.file.filename().string(), film.scene);
+      remark(film.file.filename().string(), film.scene);
       films.push_back(std::move(film));
       return true;
     });
@@ -228,7 +229,7 @@ int check_scenes(const Options& options) {
       not_read.push_back(script);
       continue;
     }
-    warn_of_boxes(script, *scene);
+    remark(script, *scene);
     const std::vector<Verdict> verdicts = judge(*scene, simulate(*scene, options.stop));
     ++(unmet(verdicts) == 0 ? met : failed);
     print(fmt::format("{}: {}\n", script, met_of(verdicts)));

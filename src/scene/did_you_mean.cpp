@@ -30,11 +30,18 @@ std::size_t edits(std::string_view from, std::string_view to) {
 
 }  // namespace
 
-std::string did_you_mean(std::string_view word, std::span<const std::string> known) {
+std::optional<std::string> near_match(std::string_view word, std::span<const std::string> known) {
+  constexpr std::size_t longest = 64;  // a longer one is no word
+  if (known.empty() || word.size() > longest) return {};
   const auto near = std::min_element(known.begin(), known.end(), [&](const std::string& a, const std::string& b) {
     return edits(word, a) < edits(word, b);
   });
-  if (near != known.end() && edits(word, *near) <= word.size() / 3) return fmt::format("did you mean {}?", *near);
+  if (edits(word, *near) > word.size() / 3) return {};
+  return *near;
+}
+
+std::string did_you_mean(std::string_view word, std::span<const std::string> known) {
+  if (const auto near = near_match(word, known)) return fmt::format("did you mean {}?", *near);
   return fmt::format("allowed: {}", fmt::join(known, ", "));
 }
 

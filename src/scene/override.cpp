@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "scene/table_reader.h"
 
@@ -19,13 +22,35 @@ std::optional<std::size_t> index(std::string_view text) {
   return value;
 }
 
+// What most likely went wrong in a text that is no TOML; empty: no idea.
+std::string_view slip_in(std::string_view text, const toml::parse_error& error) {
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") || text.substr(0, 4).find('\0') != text.npos) {
+    return "; the text is UTF-16: save it as UTF-8";
+  }
+  if (error.description().find("utf-8") != text.npos) return "; save it as UTF-8";
+  for (auto line = error.source().begin.line; line > 1; --line)
+    text.remove_prefix(std::min(text.find('\n') + 1, text.size()));
+  const std::string line(text.substr(0, std::min<std::size_t>(text.find('\n'), 200)));
+  static const std::pair<std::regex, const char*> slips[] = {
+      {std::regex("[^\"'#]*[=,[]\\s*(\u201c|\u201d|\u201e|\u2018|\u2019|\u201a|\u00ab|\u00bb).*"),
+       "; a text stands in straight quotes, \" or '"},
+      {std::regex("[^\"'#=]*=\\s*[-+]?[0-9]+,[0-9].*"), "; decimals follow a point, not a comma"},
+      {std::regex("[^\"'#=]*=\\s*[A-Za-z].*"), "; a text stands in quotes"},
+      {std::regex("\\s*[\\w\"'.-]+\\s*:.*"), "; a key has its value behind ="}};
+  for (const auto& [slip, words] : slips) {
+    if (std::regex_match(line, slip)) return words;
+  }
+  return "";
+}
+
 }  // namespace
 
 toml::table parse_toml(std::string_view text, const std::string& name) {
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& error) {
-    throw std::invalid_argument(location(error.source()) + std::string(error.description()));
+    throw std::invalid_argument(
+        fmt::format("{}{}{}", location(error.source()), error.description(), slip_in(text, error)));
   }
 }
 
@@ -65,12 +90,16 @@ void apply_override(toml::table& scene, const std::string& text) {
       }
       at = list->get(*i);
     } else if (toml::table* table = at->as_table()) {
+      if (key.empty()) fail("a part of the key is empty");
       if (last) {
         put(*table, key, *value.get("value"));
         return;
       }
       if (!table->contains(key)) {
         if (key == "book" || key == "expect") fail(fmt::format("the scene has no {}", key));
+        if (index(path.substr(dot + 1, path.substr(dot + 1).find('.')))) {
+          fail(fmt::format("the script has no list '{0}': give it whole, such as {0}=[1, 2, 3]", key));
+        }
         toml::table empty = parse_toml("value = {}", source);
         put(*table, key, *empty.get("value"));
       }

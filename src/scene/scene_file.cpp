@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <tuple>
@@ -93,7 +94,7 @@ void read_integrator(TableReader& reader, BookSetup& book) {
   std::string text =
       fmt::format("for {}{} one of {}", name_of(book.method), damped ? " with damping" : "", fmt::join(allowed, ", "));
   if (!undamped.empty()) text += fmt::format("; {} need damping = false", fmt::join(undamped, ", "));
-  reader.fail("integrator", text);
+  reader.fail_word(*node, "integrator", allowed, text);
 }
 
 void read_book(TableReader& reader, BookSetup& book) {
@@ -249,6 +250,26 @@ Scene parse_scene(std::string_view text, const std::string& name, std::span<cons
 
 Scene load_scene(const std::filesystem::path& file, std::span<const std::string> overrides) {
   return parse_scene(read_file_or_pipe(file), file.string(), overrides);
+}
+
+std::vector<std::string> remarks_on(const Scene& scene) {
+  std::vector<std::string> remarks;
+  if (scene.clip.frames == 1) return remarks;
+  for (std::size_t b = 0; b < scene.books.size(); ++b) {
+    const BookSetup& book = scene.books[b];
+    const double speed = book.options.omega_W.norm();
+    const bool exact = book.method == Method::exact;
+    const double turn = speed * scene.clip.time_per_frame / (exact ? 1 : scene.clip.substeps);
+    if (speed == 0.0) {
+      remarks.push_back(fmt::format("book.{}: does not turn: its angular_velocity is [0, 0, 0]", b));
+    } else if (turn > (exact ? std::numbers::pi : 1.0)) {
+      remarks.push_back(
+          fmt::format("book.{}.angular_velocity: turns the book by {:.3g} radians from one {} to the next: are these "
+                      "degrees? radians are meant",
+                      b, turn, exact ? "frame" : "step"));
+    }
+  }
+  return remarks;
 }
 
 std::string_view name_of(Method method) {

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -22,6 +23,9 @@ namespace bookspin {
 
 // Every key that a script may hold, as the reader declares them: the root's first.
 [[nodiscard]] std::vector<struct KeyTable> script_keys();
+
+// What a script may say, and hardly means: "book.0: does not turn: ...".
+[[nodiscard]] std::vector<std::string> remarks_on(const Scene& scene);
 
 [[nodiscard]] std::string_view name_of(Method method);
 

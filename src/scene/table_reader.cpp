@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -12,6 +13,8 @@
 
 namespace bookspin {
 namespace {
+
+constexpr std::size_t most_tables = 1000;  // of one name; what each says is printed
 
 std::string text_of(const Range& range) {
   const char* more = range.least_excluded ? "more than" : "from";
@@ -44,6 +47,14 @@ std::string quoted(const Words& words) {
   return fmt::format("\"{}\"", fmt::join(words, "\", \""));
 }
 
+std::string shortened(const std::string& text) {
+  std::size_t length = 60;
+  if (text.size() <= length) return text;
+  while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U)
+    --length;  // no letter is cut in two
+  return text.substr(0, length) + " ...";
+}
+
 // A node as it would be written, shortened.
 std::string shown(const toml::node& node) {
   if (node.is_table()) return "a table";
@@ -62,11 +73,18 @@ std::string shown(const toml::node& node) {
     node.visit([&out](const auto& n) { out << n; });
     text = out.str();
   }
-  std::size_t length = 60;
-  if (text.size() <= length) return text;
-  while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U)
-    --length;  // no letter is cut in two
-  return text.substr(0, length) + " ...";
+  return shortened(text);
+}
+
+// What a comma between decimals makes of a number, or of a list of three.
+std::string_view slip_in(const toml::node& node) {
+  static const std::regex number("[-+]?[0-9]+,[0-9]+");
+  const toml::array* list = node.as_array();
+  const auto* text = node.as_string();
+  const bool slip = list != nullptr   ? list->size() > 3 && list->front().is_number()
+                    : text != nullptr ? text->get().size() < 32 && std::regex_match(text->get(), number)
+                                      : false;
+  return slip ? "; decimals follow a point, not a comma" : "";
 }
 
 }  // namespace
@@ -86,12 +104,20 @@ const Key& TableReader::declared(std::string_view key) const {
 }
 
 void TableReader::fail(const toml::node& at, std::string_view key, std::string_view allowed) const {
-  throw std::invalid_argument(
-      fmt::format("{}{}: found {}; allowed: {}", location(at.source()), full_key(key), shown(at), allowed));
+  throw std::invalid_argument(fmt::format("{}{}: found {}; allowed: {}{}", location(at.source()), full_key(key),
+                                          shown(at), allowed, slip_in(at)));
 }
 
 void TableReader::fail(std::string_view key, std::string_view allowed) const {
   fail(*table_->get(key), key, allowed.empty() ? declared(key).allowed : allowed);
+}
+
+void TableReader::fail_word(const toml::node& at, std::string_view key, const Words& words, std::string allowed) const {
+  const auto* text = at.as_string();
+  const std::vector<std::string> known(words.begin(), words.end());
+  const auto near = text == nullptr ? std::nullopt : near_match(text->get(), known);
+  if (near) allowed += fmt::format("; did you mean \"{}\"?", *near);
+  fail(at, key, allowed);
 }
 
 void TableReader::fail_missing(std::string_view key, std::string_view allowed) const {
@@ -178,7 +204,7 @@ std::size_t TableReader::read_word(std::string_view key, const Words& words, con
                                      fmt::format(R"("enum": [{}])", quoted(words)), quoted({words.front()}), manual});
   if (found == nullptr) return 0;
   const std::optional<std::size_t> i = index_of(*found, words);
-  if (!i) fail(key);
+  if (!i) fail_word(*found, key, words, declared(key).allowed);
   return *i;
 }
 
@@ -192,7 +218,7 @@ std::vector<std::size_t> TableReader::read_words(std::string_view key, const Wor
   if (!found->is_array()) fail(key);
   for (const toml::node& entry : *found->as_array()) {
     const std::optional<std::size_t> i = index_of(entry, words);
-    if (!i) fail(entry, key, declared(key).allowed);
+    if (!i) fail_word(entry, key, words, declared(key).allowed);
     indices.push_back(*i);
   }
   return indices;
@@ -211,10 +237,13 @@ std::vector<TableReader> TableReader::table(std::string_view key, const char* me
 std::vector<TableReader> TableReader::tables(std::string_view key, const char* meaning) {
   const toml::node* found =
       declare({std::string(key), meaning, fmt::format("one or more tables [[{}]]", key),
-               fmt::format(R"("type": "array", "minItems": 1, "items": {{"$ref": "#/$defs/{}"}})", key)});
+               fmt::format(R"("type": "array", "minItems": 1, "maxItems": {}, "items": {{"$ref": "#/$defs/{}"}})",
+                           most_tables, key)});
   if (found == nullptr) return {};
   const toml::array* list = found->as_array();
   if (list == nullptr || list->empty()) fail(key);
+  if (list->size() > most_tables)
+    fail(key, fmt::format("up to {} tables [[{}]], not {}", most_tables, key, list->size()));
   std::vector<TableReader> readers;
   for (const toml::node& one : *list) {
     const std::string path = fmt::format("{}.{}", key, readers.size());
@@ -229,7 +258,8 @@ void TableReader::done() const {
     std::vector<std::string> known;
     for (const Key& k : keys_) known.push_back(k.name);
     if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
-    throw std::invalid_argument(fmt::format("{}{}: unknown key; {}", location(key.source()), full_key(key.str()),
+    throw std::invalid_argument(fmt::format("{}{}: unknown key; {}", location(key.source()),
+                                            full_key(shortened(std::string(key.str()))),
                                             did_you_mean(key.str(), known)));
   }
   if (record_ == nullptr) return;

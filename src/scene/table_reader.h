@@ -82,6 +82,9 @@ class TableReader {
   void done() const;
 
   [[noreturn]] void fail(std::string_view key, std::string_view allowed = "") const;  // empty: as declared
+  // `allowed` and the word of `words`, if any, that the one found is near to.
+  [[noreturn]] void fail_word(const toml::node& at, std::string_view key, const Words& words,
+                              std::string allowed) const;
   [[noreturn]] void fail_missing(std::string_view key, std::string_view allowed) const;
 
  private:

@@ -92,7 +92,7 @@ TEST(Ways, AWrongOneIsAnErrorThatSaysWhatIsAllowed) {
             "s.toml:5:14: book.0.integrator: found 'rk4'; allowed: for matrix one of explicit_euler");
   EXPECT_EQ(error_of("method = 'quaternion'\nintegrator = 'rk5'"),
             "s.toml:5:14: book.0.integrator: found 'rk5'; allowed: for quaternion one of explicit_euler, rk4, "
-            "splitting4, dmv");
+            "splitting4, dmv; did you mean \"rk4\"?");
   EXPECT_EQ(error_of("damping = 0.5\nintegrator = 'velocity_verlet'"),
             "s.toml:5:14: book.0.integrator: found 'velocity_verlet'; allowed: for springs with damping one of "
             "explicit_euler, semi_implicit_euler, rk4; velocity_verlet, rkn6, stoermer10 need damping = false");

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/scene_file.h"
@@ -140,10 +141,18 @@ const BadScript bad_scripts[] = {
      "s.toml:3:8: book.0.name: found 3; allowed: a text in quotes"},
     {"method_unknown", "title = \"T\"\n[[book]]\nmethod = \"magic\"\n",
      "s.toml:3:10: book.0.method: found 'magic'; allowed: one of \"springs\", \"matrix\", \"quaternion\", \"exact\""},
+    {"method_nearly", "title = \"T\"\n[[book]]\nmethod = \"exakt\"\n",
+     "s.toml:3:10: book.0.method: found 'exakt'; allowed: one of \"springs\", \"matrix\", \"quaternion\", \"exact\"; "
+     "did "
+     "you mean \"exact\"?"},
     {"method_a_number", "title = \"T\"\n[[book]]\nmethod = 1\n",
      "s.toml:3:10: book.0.method: found 1; allowed: one of \"springs\", \"matrix\", \"quaternion\", \"exact\""},
     {"integrator_a_number", "title = \"T\"\n[[book]]\nmethod = \"matrix\"\nintegrator = 4\n",
      "s.toml:4:14: book.0.integrator: found 4; allowed: for matrix one of explicit_euler"},
+    {"integrator_nearly", "title = \"T\"\n[[book]]\nmethod = \"quaternion\"\nintegrator = \"rk5\"\n",
+     "s.toml:4:14: book.0.integrator: found 'rk5'; allowed: for quaternion one of explicit_euler, rk4, splitting4, "
+     "dmv; "
+     "did you mean \"rk4\"?"},
     {"size_zero", "title = \"T\"\n[[book]]\nsize = [1, 0, 1]\n",
      "s.toml:3:8: book.0.size: found [1, 0, 1]; allowed: a list of three numbers [x, y, z], each a number from 1e-06 "
      "to 1e+06"},
@@ -152,7 +161,7 @@ const BadScript bad_scripts[] = {
      "to 1e+06"},
     {"size_of_four", "title = \"T\"\n[[book]]\nsize = [1, 2, 3, 4]\n",
      "s.toml:3:8: book.0.size: found [1, 2, 3, 4]; allowed: a list of three numbers [x, y, z], each a number from "
-     "1e-06 to 1e+06"},
+     "1e-06 to 1e+06; decimals follow a point, not a comma"},
     {"omega_a_number", "title = \"T\"\n[[book]]\nangular_velocity = 3\n",
      "s.toml:3:20: book.0.angular_velocity: found 3; allowed: a list of three numbers [x, y, z], each a number between "
      "-1e+06 and 1e+06"},
@@ -205,7 +214,7 @@ const BadScript bad_scripts[] = {
      "\"kinetic_energy\", \"elastic_energy\", \"energy_ratio\", \"angular_momentum_ratio\", \"norm\", "
      "\"largest_singular_value\", \"orthogonality_defect\", \"blend_defect\", \"pulsations\", \"angle_error\", "
      "\"exact_tilt\", \"exact_flips\", \"extent\", "
-     "\"floor_hits\", \"exploded\""},
+     "\"floor_hits\", \"exploded\"; did you mean \"tilt\"?"},
     {"expect_of_no_such_book", "title = \"T\"\n[[book]]\n[[expect]]\nquantity = \"tilt\"\nbook = 1\nat_most = 2\n",
      "s.toml:5:8: expect.0.book: found 1; allowed: a whole number from 0 to 0"},
     {"expect_of_a_negative_book", "title = \"T\"\n[[book]]\n[[expect]]\nquantity = \"tilt\"\nbook = -1\nat_most = 2\n",
@@ -243,7 +252,8 @@ const BadScript bad_scripts[] = {
     {"string_not_closed", "title = \"T\n",
      "s.toml:1:11: Error while parsing string: unescaped control characters other than TAB (U+0009) are explicitly "
      "prohibited"},
-    {"bare_word", "title = T\n", "s.toml:1:9: Error while parsing boolean: expected 'true', saw 'T'"},
+    {"bare_word", "title = T\n",
+     "s.toml:1:9: Error while parsing boolean: expected 'true', saw 'T'; a text stands in quotes"},
     {"key_twice", "title = \"T\"\ntitle = \"U\"\n",
      "s.toml:2:9: Error while parsing key-value pair: cannot redefine existing string 'title'"},
     {"table_not_closed", "title = \"T\"\n[clip\n",
@@ -281,9 +291,12 @@ const BadOverride bad_overrides[] = {
     {"book.method=matrix", "--set book.method=matrix: there is no 'method' in a list of 1, counted from 0"},
     {"book=3", "--set book=3: book: found 3; allowed: one or more tables [[book]]"},
     {"book.0=3", "--set book.0=3: book.0: found 3; allowed: a table [[book]]"},
-    {"book.0.=3",
-     "--set book.0.=3: book.0.: unknown key; allowed: name, method, size, angular_velocity, jiggle, "
-     "normalize, normalize_every, damping, integrator, stiffness, particle_mass, position, style, show"},
+    {"book.0.=3", "--set book.0.=3: a part of the key is empty"},
+    {".clip.frames=3", "--set .clip.frames=3: a part of the key is empty"},
+    {"clip..frames=3", "--set clip..frames=3: a part of the key is empty"},
+    {"seed=1,5",
+     "--set seed=1,5: seed: found '1,5'; allowed: a whole number from 0 to 2147483647; decimals follow a point, not a "
+     "comma"},
     {"=3", "--set =3: allowed: KEY=VALUE, such as book.0.method=matrix"},
     {"clip", "--set clip: allowed: KEY=VALUE, such as book.0.method=matrix"},
     {"clip.substeps", "--set clip.substeps: allowed: KEY=VALUE, such as book.0.method=matrix"},
@@ -295,9 +308,7 @@ const BadOverride bad_overrides[] = {
     {"book.0.size=[1,2]",
      "--set book.0.size=[1,2]: book.0.size: found [1, 2]; allowed: a list of three numbers [x, y, z], each a number "
      "from 1e-06 to 1e+06"},
-    {"book.0.size.0=2",
-     "--set book.0.size.0=2: book.0.size: found a table; allowed: a list of three numbers [x, y, z], each a number "
-     "from 1e-06 to 1e+06"},
+    {"book.0.size.0=2", "--set book.0.size.0=2: the script has no list 'size': give it whole, such as size=[1, 2, 3]"},
     {"title=", "--set title=: title: found ''; allowed: a text in quotes, not empty"},
     {"title=7", "--set title=7: title: found 7; allowed: a text in quotes"},
     {"view.from=[0,1,0]",
@@ -318,6 +329,50 @@ const BadOverride bad_overrides[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(Bad, Override, testing::ValuesIn(bad_overrides));
+
+// The rest of these messages is the TOML library's.
+TEST(ScriptFile, WhatMostLikelyWentWrongIsSaid) {
+  const std::pair<const char*, const char*> slips[] = {
+      {"title = “T”\n", "; a text stands in straight quotes, \" or '"},
+      {"title = ‘T’\n", "; a text stands in straight quotes, \" or '"},
+      {"title = 'T'\n[clip]\ntime_per_frame = 0,5\n", "; decimals follow a point, not a comma"},
+      {"title = Bad\n", "; a text stands in quotes"},
+      {"title: \"T\"\n", "; a key has its value behind ="},
+      {"\xff\xfet", "; the text is UTF-16: save it as UTF-8"},
+      {"title = \"caf\xe9\"\n", "; save it as UTF-8"}};
+  for (const auto& [text, said] : slips) {
+    const std::string message = message_of(text, {});
+    EXPECT_TRUE(message.ends_with(said)) << message;
+  }
+}
+
+TEST(ScriptFile, WhateverItHoldsTheMessageIsShort) {
+  const std::string much(1000000, 'k');
+  for (const std::string& text : {much + " = 1\n", "title = '" + much + "'\nframes = 1\n", "title = " + much, much}) {
+    EXPECT_LT(message_of(text, {}).size(), 300U);
+  }
+  std::string expects = "title = 'T'\n[[book]]\n";
+  for (int i = 0; i < 1001; ++i) expects += "[[expect]]\nquantity = 'tilt'\nat_most = 1\n";
+  EXPECT_EQ(message_of(expects, {}),
+            "s.toml:3:1: expect: found a list of tables; allowed: up to 1000 tables [[expect]], not 1001");
+}
+
+TEST(Remarks, AreMadeOnWhatIsHardlyMeant) {
+  const auto remarks = [](const std::string& keys) {
+    return remarks_on(parse_scene("title = 'T'\n[clip]\ntime_per_frame = 0.5\nsubsteps = 10\n[[book]]\n" + keys, "s"));
+  };
+  using Remarks = std::vector<std::string>;
+  EXPECT_EQ(remarks(""), Remarks{"book.0: does not turn: its angular_velocity is [0, 0, 0]"});
+  EXPECT_EQ(remarks("angular_velocity = [0, 20, 0]"), Remarks{});
+  EXPECT_EQ(remarks("method = 'exact'\nangular_velocity = [6, 0, 0]"), Remarks{});
+  EXPECT_EQ(remarks("angular_velocity = [0, 30, 0]"),
+            Remarks{"book.0.angular_velocity: turns the book by 1.5 radians from one step to the next: are these "
+                    "degrees? radians are meant"});
+  EXPECT_EQ(remarks("method = 'exact'\nangular_velocity = [30, 0, 0]"),
+            Remarks{"book.0.angular_velocity: turns the book by 15 radians from one frame to the next: are these "
+                    "degrees? radians are meant"});
+  EXPECT_TRUE(remarks_on(parse_scene("title = 'T'\nclip = {frames = 1}\n[[book]]", "s")).empty());
+}
 
 TEST(ScriptFile, ThatCannotBeReadIsNamed) {
   for (const char* file : {"no/such/script.toml", BOOKSPIN_SOURCE_DIR}) {

@@ -55,6 +55,7 @@ TEST_P(Video, MeetsWhatItsScriptExpects) {
   const Scene scene = load_scene(folder() / (GetParam() + ".toml"));
   EXPECT_FALSE(scene.title.empty());
   EXPECT_FALSE(scene.caption.empty());
+  EXPECT_TRUE(remarks_on(scene).empty());
   const Trajectory trajectory = simulate(scene);
   ASSERT_EQ(trajectory.books.size(), scene.books.size());
   for (const BookTrack& track : trajectory.books)
