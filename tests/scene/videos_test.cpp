@@ -145,7 +145,7 @@ const std::vector<Cause>& causes() {
       {"normalization_hides", {"book.0.normalize=false"}, {"the energy looks right"}},
       {"normalization_hides", {"book.0.damping=1"}, {"while nine tenths"}},
       {"separatrix", {"book.0.jiggle=1e-1"}, {"kick 1e-2"}},
-      {"separatrix", {"book.0.jiggle=1e-4"}, {"past it at frame 220"}},
+      {"separatrix", {"book.0.jiggle=1e-4"}, {"past it at t = 88"}},
       {"separatrix", {"book.1.jiggle=1e-2"}, {"kick 1e-4"}},
       {"separatrix", {"book.1.jiggle=1e-6"}, {"past it at frame 387"}},
       {"separatrix", {"book.2.jiggle=1e-4"}, {"kick 1e-6"}},
