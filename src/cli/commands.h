@@ -12,6 +12,7 @@ int draw_scene_frame(const Options& options);
 int check_scenes(const Options& options);
 int write_trajectory(const Options& options);
 int report(const Options& options);
+int give_advice(const Options& options);
 int make_page(const Options& options);
 int verify_products(const Options& options);
 int examine(const Options& options);

@@ -219,6 +219,17 @@ const std::vector<Command> commands{
       flag(&Options::quick, "--quick", "Every file in seconds: for tests, not for reading"), assets_option},
      report,
      "Example:\n  bookspin report -o report"},
+    {"advise",
+     "Say which method and step keep a scene's book within an error of the exact motion, at the least work",
+     {scene_argument,
+      [](auto& command, auto& options) {
+        add_number(command, "--error", options.error, 1e-14, 1.0,
+                   "Largest angle to the exact orientation in any frame, in radians")
+            ->default_str(fmt::format("{}", options.error));
+      },
+      set_option},
+     give_advice,
+     "Example:\n  bookspin advise videos/fig09_matrix.toml --error 1e-3"},
     {"compare",
      "Say how far two pictures are apart: exit code 0 within the bounds, without any when they are equal; 1 beyond",
      {pictures_argument, bounds_options, delta_output},

@@ -25,7 +25,8 @@ struct Options {
   int first_frame = 0;
   std::optional<int> end_frame;  // the first one not drawn; none: all to the end
   int frame = 0;
-  int jobs = 0;  // 0: one a core
+  int jobs = 0;         // 0: one a core
+  double error = 1e-6;  // radians
   bool update = false;
   bool quick = false;
   std::string topic;                  // of help and completion

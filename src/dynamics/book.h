@@ -25,6 +25,7 @@ struct BookOptions {
   double damping = 1.0;                                // springs only: multiple of the critical 2 sqrt(k m), >= 0
   double stiffness = 10.0;                             // springs only: k of each of the 28 springs, > 0
   double particle_mass = 1.0;                          // m of each of the eight particles, > 0
+  bool operator==(const BookOptions&) const = default;
 };
 
 struct Body {

@@ -50,8 +50,8 @@ struct Cli : testing::Test {
 
 TEST_F(Cli, HelpOfEveryCommandHasAnExample) {
   EXPECT_EQ((*this)("--help").exit_code, 0);
-  for (const char* command : {"list", "render", "frame", "check", "trajectory", "page", "verify", "report", "compare",
-                              "doctor", "help", "schema", "completion"}) {
+  for (const char* command : {"list", "render", "frame", "check", "trajectory", "page", "verify", "report", "advise",
+                              "compare", "doctor", "help", "schema", "completion"}) {
     const Said said = (*this)(std::string(command) + " --help");
     EXPECT_EQ(said.exit_code, 0);
     EXPECT_THAT(said.out, HasSubstr("Example")) << command;
@@ -71,6 +71,27 @@ TEST_F(Cli, SaysWhatItIsMadeOf) {
   for (const char* library : {"libavcodec", "libpng", "FreeType", "Eigen", "fmt", "toml\\+\\+"}) {
     EXPECT_THAT(said.out, ContainsRegex(std::string(library) + " [0-9]+\\.[0-9]+\\.[0-9]+"));
   }
+}
+
+TEST_F(Cli, AdviceKeepsItsPromise) {
+  const Said said = (*this)("advise mine.toml --error 1e-9");
+  EXPECT_EQ(said.exit_code, 0);
+  EXPECT_THAT(said.out,
+              StartsWith("mine.toml: angle_error at most 1e-09 rad in each of 12 frames\n\nbook 0, springs by "
+                         "explicit_euler, 6 steps a frame: "));
+  EXPECT_THAT(said.out, HasSubstr("no step takes away what the model adds"));
+  EXPECT_THAT(said.out, HasSubstr("in [[book]], without integrator:\n  method = \"exact\"\n"));
+  EXPECT_THAT(said.out, ContainsRegex("integrator = \"[a-z0-9]+\"\nand in .clip., for all its books:\n  substeps = "));
+  int tried = 0;
+  std::istringstream lines(said.out);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("  bookspin ")) continue;
+    const Said check = (*this)(line.substr(11));
+    EXPECT_EQ(check.exit_code, 0) << line << check.out << check.err;
+    EXPECT_THAT(check.out, HasSubstr("1 of 1 expectations met")) << line;
+    ++tried;
+  }
+  EXPECT_EQ(tried, 2);
 }
 
 TEST_F(Cli, ListsTheFiguresOfTheProjectAndOfAFolder) {
@@ -284,9 +305,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{"nothing", "", 2, "A subcommand is required"},
         BadCall{
             "unknown_command", "film mine.toml", 2,
-            "unknown command 'film'; allowed: list, render, frame, check, trajectory, page, verify, report, compare, "
-            "doctor, "
-            "help, schema, completion\n"},
+            "unknown command 'film'; allowed: list, render, frame, check, trajectory, page, verify, report, advise, "
+            "compare, doctor, help, schema, completion\n"},
+        BadCall{"error_too_small", "advise mine.toml --error 0", 2,
+                "--error: found '0'; allowed: a number from 1e-14 to 1"},
+        BadCall{"advice_of_no_scene", "advise", 2, "SCENE"},
         BadCall{"nearly_a_command", "rendr mine.toml", 2, "unknown command 'rendr'; did you mean render?\n"},
         BadCall{"nearly_a_topic", "help scenes", 2, "help: found 'scenes'; did you mean scene?\n"},
         BadCall{"unknown_option", "check mine.toml --fast", 2, "unknown option '--fast'; allowed: --help, --set\n"},
