@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "cli/assets.h"
+#include "cli/effort.h"
 #include "cli/standard_output.h"
 #include "cli/version.h"
 #include "cli/watch.h"
@@ -63,14 +64,12 @@ template <class Load>
 auto try_load(const Load& load) -> std::optional<decltype(load())> {
   try {
     return load();
+  } catch (const Stopped&) {
+    throw;
   } catch (const std::exception& error) {
     complain(error.what());
     return {};
   }
-}
-
-std::optional<Scene> try_load_scene(const fs::path& script, const Options& options) {
-  return try_load([&] { return load_scene(script, options.overrides); });
 }
 
 // No font at all is no matter of a check, and an error of the drawing.
@@ -82,6 +81,18 @@ void remark(const std::string& script, const Scene& scene) {
     }
   } catch (const std::runtime_error&) {
   }
+}
+
+void announce(const std::string& script, const Scene& scene, const std::optional<Drawing>& drawing = {}) {
+  const std::string effort = announcement(scene, drawing);
+  if (!effort.empty()) complain(fmt::format("{}: {}", script, effort));
+}
+
+Trajectory simulate_watched(const std::string& script, const Scene& scene, const std::stop_token& stop) {
+  announce(script, scene);
+  Progress progress;
+  const Watch watch(progress, scene);
+  return simulate(scene, stop, &progress.frames_simulated);
 }
 
 void refuse_to_replace(const fs::path& script, const fs::path& output) {
@@ -134,7 +145,7 @@ int list_scenes(const Options& options) {
   const fs::path folder = options.folder.empty() ? find_assets(options.assets) / "videos" : fs::path(options.folder);
   bool good = true;
   for (const fs::path& script : scripts_in(folder)) {
-    const std::optional<Scene> scene = try_load_scene(script, options);
+    const auto scene = try_load([&] { return load_scene(script, options.overrides); });
     good = good && scene;
     if (!scene) continue;
     const double seconds = static_cast<double>(scene->clip.frames) / scene->clip.fps;
@@ -147,6 +158,7 @@ int list_scenes(const Options& options) {
 int render_scenes(const Options& options) {
   const fs::path folder = folder_or(options.folder, "site");
   const fs::path assets = find_assets(options.assets);
+  const int jobs = affordable_jobs(options.jobs > 0 ? options.jobs : cores(), options.width, options.height);
   const FilmSettings settings{options.width,     options.height,    options.first_frame,
                               options.end_frame, options.overrides, fingerprint_of_drawing(assets)};
   std::vector<Film> films;
@@ -162,6 +174,7 @@ int render_scenes(const Options& options) {
       if (options.update && is_up_to_date(film, products(film, folder))) return false;
       require_products(film, folder);
       remark(film.file.filename().string(), film.scene);
+      announce(film.file.filename().string(), film.scene, Drawing{film.frames(), film.width, film.height});
       films.push_back(std::move(film));
       return true;
     });
@@ -176,7 +189,7 @@ int render_scenes(const Options& options) {
     double seconds = 0.0;
     {
       const Watch watch(progress, films);
-      outcomes = shoot_all(films, folder, assets, options.jobs > 0 ? options.jobs : cores(), progress, options.stop);
+      outcomes = shoot_all(films, folder, assets, jobs, progress, options.stop);
       seconds = watch.seconds();
     }
     for (std::size_t i = 0; i < films.size(); ++i) {
@@ -216,7 +229,11 @@ int draw_scene_frame(const Options& options) {
     throw std::invalid_argument(fmt::format("{}: found frame {}; allowed: 0 to {}", options.scenes.front(),
                                             options.frame, scene.clip.frames - 1));
   }
-  write_png(options.output, draw_frame(scene, options.frame, options.width, options.height, assets, options.stop));
+  (void)affordable_jobs(1, options.width, options.height);
+  announce(options.scenes.front(), scene);
+  Part picture(options.output);
+  write_png(picture, draw_frame(scene, options.frame, options.width, options.height, assets, options.stop));
+  publish({&picture});
   return 0;
 }
 
@@ -226,16 +243,18 @@ int check_scenes(const Options& options) {
   std::vector<std::string> not_read;
   for (const std::string& file : options.scenes) {
     const std::string script = fs::path(file).filename().string();
-    const std::optional<Scene> scene = try_load_scene(file, options);
-    if (!scene) {
+    const auto verdicts = try_load([&] {
+      const Scene scene = load_scene(file, options.overrides);
+      remark(script, scene);
+      return judge(scene, simulate_watched(script, scene, options.stop));
+    });
+    if (!verdicts) {
       not_read.push_back(script);
       continue;
     }
-    remark(script, *scene);
-    const std::vector<Verdict> verdicts = judge(*scene, simulate(*scene, options.stop));
-    ++(unmet(verdicts) == 0 ? met : failed);
-    print(fmt::format("{}: {}\n", script, met_of(verdicts)));
-    print_verdicts(verdicts, true);
+    ++(unmet(*verdicts) == 0 ? met : failed);
+    print(fmt::format("{}: {}\n", script, met_of(*verdicts)));
+    print_verdicts(*verdicts, true);
   }
   if (options.scenes.size() > 1) {
     print(fmt::format("{}: {} as expected, {} not\n", counted(options.scenes.size(), "script"), met, failed));
@@ -247,7 +266,9 @@ int check_scenes(const Options& options) {
 int write_trajectory(const Options& options) {
   refuse_to_replace(options.scenes.front(), options.output);
   const Scene scene = load_scene(options.scenes.front(), options.overrides);
-  const Trajectory trajectory = simulate(scene, options.stop);
+  std::optional<Part> file;
+  if (!options.output.empty()) file.emplace(options.output);
+  const Trajectory trajectory = simulate_watched(options.scenes.front(), scene, options.stop);
   const auto write = [&](std::ostream& out) {
     out << trajectory_csv_header() << '\n';
     for (int frame = 0; out && frame < scene.clip.frames; ++frame) {
@@ -255,8 +276,9 @@ int write_trajectory(const Options& options) {
       out << trajectory_csv_rows(scene, trajectory, frame);
     }
   };
-  if (!options.output.empty()) {
-    write_file(options.output, write);
+  if (file) {
+    write_part(*file, write);
+    publish({&*file});
     return 0;
   }
   write(std::cout);

@@ -8,6 +8,7 @@
 
 #include "cli/assets.h"
 #include "cli/commands.h"
+#include "cli/effort.h"
 #include "cli/standard_output.h"
 #include "cli/version.h"
 #include "files/files.h"
@@ -50,6 +51,7 @@ std::string fonts() {
 }  // namespace
 
 int examine(const Options& options) {
+  (void)affordable_jobs(1, options.width, options.height);
   print(version_text() + "\n\n");
   const bool osmesa = passes({"OSMesa", [] { return describe_opengl(ContextKind::osmesa); },
                               "where EGL is there it draws the same films; package libosmesa6"});

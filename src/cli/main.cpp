@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <system_error>
 
 #include "cli/commands.h"
 #include "cli/options.h"
@@ -67,6 +68,14 @@ int run(int argc, char** argv) {
   return command.run == report ? run_to_the_end({}) : stoppable(run_to_the_end);
 }
 
+// Whoever reports an error, in whatever thread, then says this.
+struct OutOfMemory : std::bad_alloc {
+  [[nodiscard]] const char* what() const noexcept override {
+    return "out of memory: end other programs, raise the limit (ulimit -v), or take fewer frames, books, --jobs or "
+           "pixels";
+  }
+};
+
 }  // namespace
 }  // namespace bookspin
 
@@ -75,14 +84,16 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "bookspin: %s\n", what);
     return exit_code;
   };
+  std::set_new_handler([] { throw bookspin::OutOfMemory(); });
   bookspin::reserve_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows beyond the user's limit is an error like a full disk
   try {
     return bookspin::run(argc, argv);
   } catch (const bookspin::WrongCall& error) {
     return failed(error.what(), 2);
-  } catch (const std::bad_alloc&) {
-    return failed("out of memory", 1);
+  } catch (const std::system_error& error) {
+    const bool thread = error.code() == std::errc::resource_unavailable_try_again;
+    return failed(thread ? "cannot start a thread: processes or memory are limited (ulimit -u, -v)" : error.what(), 1);
   } catch (const std::exception& error) {
     return failed(error.what(), 1);
   }

@@ -5,10 +5,12 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cmath>
 #include <condition_variable>
 #include <csignal>
 #include <cstdio>
 #include <mutex>
+#include <new>
 
 namespace bookspin {
 namespace {
@@ -78,6 +80,17 @@ Watch::Watch(const Progress& progress, std::span<const Film> films)
     frames_ += film.frames();
     book_frames_ += static_cast<long>(film.scene.books.size()) * film.scene.clip.frames;
   }
+  start();
+}
+
+Watch::Watch(const Progress& progress, const Scene& scene)
+    : progress_(progress),
+      book_frames_(static_cast<long>(scene.books.size()) * scene.clip.frames),
+      start_(std::chrono::steady_clock::now()) {
+  start();
+}
+
+void Watch::start() {
   if (isatty(STDERR_FILENO) == 0) return;
   thread_ = std::jthread([this](const std::stop_token& token) {
     std::mutex mutex;
@@ -94,19 +107,25 @@ double Watch::seconds() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
-// The terminal may be gone: a line that cannot be written is dropped.
-void Watch::print_line() const {
+// The terminal may be gone, or memory short: a line that cannot be written is dropped.
+void Watch::print_line() const try {
+  const long simulated = progress_.frames_simulated;
   const long drawn = progress_.frames_drawn;
-  const double rate = static_cast<double>(drawn) / seconds();
-  std::string line =
-      fmt::format("\r\x1b[K{}/{} films, {} % simulated, {} of {} frames drawn", progress_.films_done.load(), films_,
-                  100 * progress_.frames_simulated.load() / book_frames_, drawn, frames_);
-  if (drawn > 0) {
-    const int left = static_cast<int>(static_cast<double>(frames_ - drawn) / rate);
-    line += fmt::format(", {:.0f}/s, {}:{:02} left", rate, left / 60, left % 60);
+  std::string line = fmt::format("{} % simulated", 100 * simulated / book_frames_);
+  if (frames_ > 0) {
+    line = fmt::format("{}/{} films, {}, {} of {} frames drawn", progress_.films_done.load(), films_, line, drawn,
+                       frames_);
   }
-  std::fputs(line.c_str(), stderr);
+  const long done = frames_ > 0 ? drawn : simulated;
+  const double rate = static_cast<double>(done) / seconds();
+  if (drawn > 0) line += fmt::format(", {:.0f}/s", rate);
+  if (done > 0) {
+    const long left = std::lround(static_cast<double>((frames_ > 0 ? frames_ : book_frames_) - done) / rate);
+    line += fmt::format(", {}:{:02} left", left / 60, left % 60);
+  }
+  std::fprintf(stderr, "\r\x1b[K%s", line.c_str());
   std::fflush(stderr);
+} catch (const std::bad_alloc&) {
 }
 
 }  // namespace bookspin

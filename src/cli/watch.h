@@ -16,18 +16,21 @@ namespace bookspin {
 // after a signal. What it throws otherwise passes.
 int stoppable(const std::function<int(const std::stop_token&)>& command);
 
-// A progress line with the time left, on standard error when that is a terminal.
+// A progress line with the time left, on standard error when that is a terminal: of films, or of a scene that is
+// simulated alone.
 class Watch {
  public:
   Watch(const Progress& progress, std::span<const Film> films);
+  Watch(const Progress& progress, const Scene& scene);
 
   [[nodiscard]] double seconds() const;  // since the start
 
  private:
+  void start();
   void print_line() const;
 
   const Progress& progress_;
-  std::size_t films_;
+  std::size_t films_ = 0;
   long frames_ = 0;       // to be drawn
   long book_frames_ = 0;  // to be simulated
   std::chrono::steady_clock::time_point start_;

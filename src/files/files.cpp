@@ -41,14 +41,8 @@ std::string read_file_or_pipe(const fs::path& file) {
   return text;
 }
 
-void write_file(const fs::path& file, std::string_view text) {
-  write_file(file, [text](std::ostream& out) { out << text; });
-}
-
-void write_file(const fs::path& file, const std::function<void(std::ostream&)>& write) {
-  Part part(file);
-  write_part(part, write);
-  publish({&part});
+void write_part(const Part& part, std::string_view text) {
+  write_part(part, [text](std::ostream& out) { out << text; });
 }
 
 void write_part(const Part& part, const std::function<void(std::ostream&)>& write) {

@@ -25,12 +25,8 @@ namespace bookspin {
 // The same; of a FIFO or a device what it says until it ends.
 [[nodiscard]] std::string read_file_or_pipe(const std::filesystem::path& file);
 
-void write_file(const std::filesystem::path& file, std::string_view text);
-
-// The same for what is too long to hold: `write` streams it.
-void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
-
-// The same, not yet published.
+// All that a part will hold; not yet published. What is too long to hold is streamed.
+void write_part(const Part& part, std::string_view text);
 void write_part(const Part& part, const std::function<void(std::ostream&)>& write);
 
 // "412 kB", "3.1 MB".

@@ -224,7 +224,7 @@ void publish(const std::vector<Part*>& parts, const fs::path& obsolete) {
   if (obsolete_is_ours || !made.empty()) {
     std::erase_if(checksums, [&](const auto& entry) { return !fs::exists(folder / entry.first); });
     made.merge(checksums);
-    write_part(list, [&](std::ostream& out) { out << text_of(made); });
+    write_part(list, text_of(made));
     list.flush();
     all.push_back(&list);
   }
@@ -236,7 +236,7 @@ void publish(const std::vector<Part*>& parts, const fs::path& obsolete) {
     steps.push_back({found.st_ino, name_of(part->file_), replaces ? name_of(private_name(folder, "old")) : ""});
   }
   if (obsolete_is_ours) steps.push_back({0, name_of(obsolete), name_of(private_name(folder, "old"))});
-  write_part(journal, [&](std::ostream& out) { out << journal_of(steps); });
+  write_part(journal, journal_of(steps));
   journal.flush();
 
   // From here to its removal the journal says how to go back: for us, or for whoever settles the folder after a kill.

@@ -80,7 +80,7 @@ void write_png(const Part& part, const Image& image) {
   if (png_image_write_to_memory(&png, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0) {
     throw_file_error(part.file(), "write PNG", png.message);
   }
-  write_part(part, [&](std::ostream& out) { out.write(bytes.data(), static_cast<std::streamsize>(size)); });
+  write_part(part, std::string_view(bytes).substr(0, size));
 }
 
 void write_png(const std::filesystem::path& path, const Image& image) {

@@ -230,7 +230,7 @@ PageReceipt write_page(const PageOrder& order) {
     shown["html"] = fill(film_template, shown, source_name("film.html"));
     if (!film.film.empty()) {
       write_part(parts.emplace_back(order.site / shown["vtt_file"].get<std::string>(), NamedBy::program),
-                 [&shown](std::ostream& out) { out << shown["vtt_text"].get_ref<const std::string&>(); });
+                 shown["vtt_text"].get_ref<const std::string&>());
     }
     if (story && place != panels.end()) {
       context["films"][film.name] = std::move(shown);
@@ -240,8 +240,7 @@ PageReceipt write_page(const PageOrder& order) {
   }
   context["any_more"] = !context["more"].empty();
   const std::string page = fill(page_template, context, source_name("template.html"));
-  write_part(parts.emplace_back(order.site / "index.html", NamedBy::program),
-             [&page](std::ostream& out) { out << page; });
+  write_part(parts.emplace_back(order.site / "index.html", NamedBy::program), page);
   std::vector<Part*> all;
   for (Part& part : parts) all.push_back(&part);
   publish(all);

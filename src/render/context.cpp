@@ -156,6 +156,7 @@ void ask_for_software_on_the_calling_thread() {
   std::call_once(once, [] {
     setenv("LP_NUM_THREADS", "0", 0);
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
+    setenv("EGL_LOG_LEVEL", "fatal", 0);  // what fails is said by whoever asked
   });
 }
 

@@ -60,7 +60,7 @@ void publish_all(Draft& draft) {
   std::vector<Part*> in_order;
   const auto write = [&](const std::string& name, const std::string& text) {
     in_order.push_back(&parts.emplace_back(draft.order.folder / name, NamedBy::program));
-    write_part(parts.back(), [&](std::ostream& out) { out << text; });
+    write_part(parts.back(), text);
   };
   for (const auto& [name, text] : draft.files) write(name, text);
   write("index.html", index);

@@ -14,6 +14,7 @@
 #include "files/files.h"
 #include "scene/any_book.h"
 #include "scene/override.h"
+#include "scene/simulate.h"
 #include "scene/table_reader.h"
 #include "scene/toml.h"
 
@@ -26,6 +27,7 @@ const Words style_names{"solid", "ghost"};
 constexpr int most_frames = 100000;       // half an hour at 60 frames a second
 constexpr int most_book_frames = 300000;  // books times frames: what a trajectory may take of memory
 constexpr int most_books = 8;
+constexpr long most_steps = 10'000'000'000;  // hours
 
 constexpr Range positive{0.0, largest_number, true};
 constexpr Range signed_number{-largest_number, largest_number};
@@ -216,6 +218,12 @@ Scene read_scene(const toml::table& table, std::vector<KeyTable>* record = nullp
   for (TableReader& book : books) {
     read_book(book, scene.books.emplace_back());
     book.done();
+  }
+  if (steps_of(scene) > most_steps) {
+    throw std::invalid_argument(
+        fmt::format("{}clip.substeps: found {} frames of {} steps, {} steps for all books; allowed: up to {} steps",
+                    location(table["clip"]["substeps"].node()->source()), scene.clip.frames, scene.clip.substeps,
+                    steps_of(scene), most_steps));
   }
   for (TableReader& expect : reader.tables("expect", "what the film must show, as numbers; at least one bound each")) {
     read_expectation(expect, scene.expectations.emplace_back(), books.size());

@@ -1,6 +1,7 @@
 #include "scene/simulate.h"
 
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -180,6 +181,12 @@ Eigen::Vector3d jiggle_direction(std::uint64_t seed) {
     const double n2 = u.x() * u.x() + u.y() * u.y() + u.z() * u.z();
     if (n2 > 1e-4 && n2 <= 1.0) return u / std::sqrt(n2);
   }
+}
+
+long steps_of(const Scene& scene) {
+  const auto stepping = std::count_if(scene.books.begin(), scene.books.end(),
+                                      [](const BookSetup& book) { return book.method != Method::exact; });
+  return static_cast<long>(scene.clip.frames - 1) * scene.clip.substeps * stepping;
 }
 
 Trajectory simulate(const Scene& scene, const std::stop_token& stop, std::atomic<long>* frames_done) {

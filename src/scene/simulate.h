@@ -17,6 +17,9 @@ namespace bookspin {
 
 [[nodiscard]] Eigen::Vector3d jiggle_direction(std::uint64_t seed);  // |u| = 1
 
+// Of all books, from the start to the last frame; the exact motion takes none.
+[[nodiscard]] long steps_of(const Scene& scene);
+
 struct Stopped : std::runtime_error {
   Stopped() : std::runtime_error("stopped") {}
 };

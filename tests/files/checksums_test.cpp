@@ -23,10 +23,10 @@ TEST(Checksums, AreReadBackWhateverTheName) {
   const Scratch scratch;
   Checksums checksums;
   for (const char* name : {"a.mp4", "with space", " leading", "*star", "new\nline", "back\\slash", "\\n", "return\r"}) {
-    write_file(scratch / name, name);
+    write_text(scratch / name, name);
     checksums[name] = sha256(name);
   }
-  write_file(scratch / checksums_name, text_of(checksums));
+  write_text(scratch / checksums_name, text_of(checksums));
   EXPECT_EQ(read_checksums(scratch.folder()), checksums);
   const std::string check = "cd " + scratch.folder().string() + " && sha256sum --check --strict --quiet ";
   EXPECT_EQ(std::system((check + checksums_name).c_str()), 0);

@@ -27,7 +27,7 @@ struct Publishing : testing::Test {
     const bool is_new = text == "new";
     Part a(scratch / (is_new ? "a" : "b"), NamedBy::program);
     Part b(scratch / (is_new ? "b" : "c"), NamedBy::program);
-    for (const Part* part : {&a, &b}) write_part(*part, [&](std::ostream& out) { out << text; });
+    for (const Part* part : {&a, &b}) write_part(*part, text);
     publish({&a, &b}, is_new ? scratch / "c" : fs::path());
   }
 

@@ -15,6 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+void make(const fs::path& file, const std::string& text) {
+  Part part(file);
+  write_part(part, text);
+  publish({&part});
+}
+
 std::string failure(const std::function<void()>& work) {
   try {
     work();
@@ -27,16 +33,17 @@ std::string failure(const std::function<void()>& work) {
 TEST(Files, WhatIsWrittenIsReadBackAndNothingElseStays) {
   const Scratch scratch;
   const std::string text("two\nlines\0and a zero", 20);
-  write_file(scratch / "a", text);
+  make(scratch / "a", text);
   EXPECT_EQ(read_file(scratch / "a"), text);
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder()), fs::directory_iterator()), 1);
 }
 
 TEST(Files, AnErrorWhileWritingLeavesTheOldFile) {
   const Scratch scratch;
-  write_file(scratch / "a", "old");
+  make(scratch / "a", "old");
   EXPECT_EQ(failure([&] {
-              write_file(scratch / "a", [](std::ostream& out) {
+              const Part part(scratch / "a");
+              write_part(part, [](std::ostream& out) {
                 out << "half of the new";
                 throw std::runtime_error("broken off");
               });
@@ -52,9 +59,9 @@ TEST(Files, FailuresNameFileOperationAndReason) {
             (scratch / "none").string() + ": cannot be read: No such file or directory");
   EXPECT_EQ(failure([&] { (void)read_file(scratch.folder()); }),
             scratch.folder().string() + ": cannot be read: is a folder");
-  EXPECT_EQ(failure([&] { write_file(scratch / "no/folder", "text"); }),
+  EXPECT_EQ(failure([&] { const Part part(scratch / "no/folder"); }),
             (scratch / "no/folder").string() + ": cannot be opened for writing: No such file or directory");
-  EXPECT_EQ(failure([&] { write_file(scratch.folder(), "text"); }),
+  EXPECT_EQ(failure([&] { const Part part(scratch.folder()); }),
             scratch.folder().string() + ": cannot be replaced: is a folder");
 }
 

@@ -21,12 +21,14 @@ namespace bookspin {
 namespace {
 
 namespace fs = std::filesystem;
+
+void make(const fs::path& file, const std::string& text) {
+  Part part(file);
+  write_part(part, text);
+  publish({&part});
+}
 using testing::HasSubstr;
 using testing::ThrowsMessage;
-
-void write(const Part& part, const std::string& text) {
-  write_part(part, [&text](std::ostream& out) { out << text; });
-}
 
 std::ptrdiff_t files_in(const fs::path& folder) {
   return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
@@ -36,7 +38,7 @@ TEST(Part, IsPrivateUntilItIsPublished) {
   const Scratch scratch;
   write_text(scratch / "a", "old");
   Part part(scratch / "a");
-  write(part, "new");
+  write_part(part, "new");
   EXPECT_EQ(part.path().parent_path(), scratch.folder());
   EXPECT_EQ(read_text(scratch / "a"), "old");
   publish({&part});
@@ -46,7 +48,7 @@ TEST(Part, IsPrivateUntilItIsPublished) {
 
 TEST(Part, IsGoneUnlessItIsPublished) {
   const Scratch scratch;
-  { write(Part(scratch / "a"), "new"); }
+  { write_part(Part(scratch / "a"), "new"); }
   EXPECT_TRUE(fs::is_empty(scratch.folder()));
 }
 
@@ -56,7 +58,7 @@ TEST(Part, LeavesAUsersFilesAlone) {
   write_text(scratch / "b.part", "mine");
   write_text(scratch / "victim", "mine");
   fs::create_symlink("victim", scratch / "c.part");
-  for (const char* name : {"a", "b", "c"}) write_file(scratch / name, "new");
+  for (const char* name : {"a", "b", "c"}) make(scratch / name, "new");
   EXPECT_TRUE(fs::is_directory(scratch / "a.part"));
   EXPECT_EQ(read_text(scratch / "b.part"), "mine");
   EXPECT_EQ(read_text(scratch / "victim"), "mine");
@@ -67,8 +69,8 @@ TEST(Part, TwoOfOneNameDoNotMeet) {
   const Scratch scratch;
   Part one(scratch / "a");
   Part two(scratch / "a");
-  write(one, "one, and longer");
-  write(two, "two");
+  write_part(one, "one, and longer");
+  write_part(two, "two");
   publish({&one});
   EXPECT_EQ(read_text(scratch / "a"), "one, and longer");
   publish({&two});
@@ -94,7 +96,7 @@ TEST(Part, RefusesToReplaceWhatIsNoFile) {
 TEST(Part, WorksForEveryNameThatAFileMayHave) {
   const Scratch scratch;
   const std::string longest(255, 'n');
-  write_file(scratch / longest, "text");
+  make(scratch / longest, "text");
   EXPECT_EQ(read_text(scratch / longest), "text");
   EXPECT_THAT([&] { Part(scratch / (longest + 'n')); },
               ThrowsMessage<std::runtime_error>(HasSubstr("cannot be opened for writing: File name too long")));
@@ -109,7 +111,7 @@ TEST(Part, SeveralTakeTheirNamesTogetherOrNotAtAll) {
       Part a(scratch / "a");
       Part b(scratch / "b");
       Part c(scratch / "c");
-      for (const Part* part : {&a, &b, &c}) write(*part, "new");
+      for (const Part* part : {&a, &b, &c}) write_part(*part, "new");
       fs::remove(scratch / blocked);
       fs::create_directories(scratch / blocked);
       EXPECT_THAT([&] { publish({&a, &b, &c}); }, ThrowsMessage<std::runtime_error>(HasSubstr("is a folder")));
@@ -140,7 +142,7 @@ TEST(Part, UnderANameOfTheProgramsChoiceReplacesItsOwnFilesAlone) {
   const Scratch scratch;
   const auto make = [&scratch](const std::string& text) {
     Part part(scratch / "a", NamedBy::program);
-    write(part, text);
+    write_part(part, text);
     publish({&part});
   };
   write_text(scratch / "a", "mine");
