@@ -257,6 +257,11 @@ const std::vector<Command> commands{
      "Example:\n  bookspin completion bash >~/.local/share/bash-completion/completions/bookspin"},
 };
 
+// CLI11 from 2.5 on would fill the lines of the examples as if they were prose.
+void keep_lines(auto& formatter) {
+  if constexpr (requires { formatter.enable_footer_formatting(false); }) formatter.enable_footer_formatting(false);
+}
+
 void declare_commands(CLI::App& program, Options& options) {
   options.program = &program;
   program.description(about);
@@ -264,6 +269,7 @@ void declare_commands(CLI::App& program, Options& options) {
   program.require_subcommand(1);
   program.fallthrough(false);
   program.get_formatter()->column_width(34);
+  keep_lines(*program.get_formatter());
   program.set_version_flag("--version", version_text, "Print the version, and those of the libraries");
   for (const Command& command : commands) {
     CLI::App* parser = program.add_subcommand(command.name, command.help);
