@@ -29,6 +29,7 @@
 #include "page/verify.h"
 #include "report/advise.h"
 #include "report/report.h"
+#include "scene/doubts.h"
 #include "scene/judge.h"
 #include "scene/scene_file.h"
 #include "scene/simulate.h"
@@ -246,7 +247,14 @@ int check_scenes(const Options& options) {
     const auto verdicts = try_load([&] {
       const Scene scene = load_scene(file, options.overrides);
       remark(script, scene);
-      return judge(scene, simulate_watched(script, scene, options.stop));
+      const Trajectory trajectory = simulate_watched(script, scene, options.stop);
+      for (const Doubt& doubt : doubts_about(scene, trajectory)) {
+        complain(
+            fmt::format("{}: book.{}: more than {} rad from the exact book from frame {} on, at most {:.2g}, and "
+                        "nothing in the film says so: {}",
+                        script, doubt.book, visible_error, doubt.frame, doubt.error, doubt.why));
+      }
+      return judge(scene, trajectory);
     });
     if (!verdicts) {
       not_read.push_back(script);

@@ -15,7 +15,7 @@
 namespace bookspin {
 
 // One row each in integrators.h.
-enum class Integrator { explicit_euler, semi_implicit_euler, velocity_verlet, rk4, rkn6, stoermer10, splitting4, dmv };
+enum class Integrator { explicit_euler, semi_implicit_euler, velocity_verlet, rk4, rkn6, stoermer10, dmv };
 
 struct BookOptions {
   Eigen::Vector3d size{1.878, 2.9085, 0.5};            // full edge lengths a, b, c along the body axes, > 0

@@ -35,16 +35,15 @@ inline constexpr auto integrators = [] {
   constexpr bool yes = true;
   constexpr bool no = false;
   // clang-format off
-  return std::array<IntegratorInfo, 8>{{
+  return std::array<IntegratorInfo, 7>{{
     //                                             order matrix quat. damped
-    {explicit_euler,      "explicit_euler",              1, yes, yes, yes, nullptr,          &S::explicit_euler_steps},
-    {semi_implicit_euler, "semi_implicit_euler",         1, no,  no,  yes, nullptr,          &S::semi_implicit_euler_steps},
-    {velocity_verlet,     "velocity_verlet",             2, no,  no,  no,  nullptr,          &S::verlet_steps},
-    {rk4,                 "rk4",                         4, no,  yes, yes, rk4_steps,        &S::rk4_steps},
-    {rkn6,                "rkn6",                        6, no,  no,  no,  nullptr,          &S::rkn6_steps},
-    {stoermer10,          "stoermer10",                 10, no,  no,  no,  nullptr,          &S::stoermer10_steps},
-    {splitting4,          "splitting4",                  4, no,  yes, no,  splitting4_steps, nullptr},
-    {dmv,                 "dmv",                all_orders, no,  yes, no,  dmv_steps,        nullptr},
+    {explicit_euler,      "explicit_euler",              1, yes, yes, yes, nullptr,   &S::explicit_euler_steps},
+    {semi_implicit_euler, "semi_implicit_euler",         1, no,  no,  yes, nullptr,   &S::semi_implicit_euler_steps},
+    {velocity_verlet,     "velocity_verlet",             2, no,  no,  no,  nullptr,   &S::verlet_steps},
+    {rk4,                 "rk4",                         4, no,  yes, yes, rk4_steps, &S::rk4_steps},
+    {rkn6,                "rkn6",                        6, no,  no,  no,  nullptr,   &S::rkn6_steps},
+    {stoermer10,          "stoermer10",                 10, no,  no,  no,  nullptr,   &S::stoermer10_steps},
+    {dmv,                 "dmv",                all_orders, no,  yes, no,  dmv_steps, nullptr},
   }};
   // clang-format on
 }();

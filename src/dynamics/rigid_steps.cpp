@@ -5,10 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <tuple>
 
 #include "dynamics/rigid_book.h"
-#include "dynamics/torque_free_theta.h"
 
 namespace bookspin {
 namespace {
@@ -41,41 +39,25 @@ struct Scalars {
 
 // Nothing goes through memory from step to step: the counter is a copy, and the step is inlined.
 template <class Step>
-[[gnu::always_inline]] inline void repeat(Scalars& s, long n, Normalization& normalization, const Step& step) {
+[[gnu::always_inline]] inline void repeat(RigidState& state, long n, Normalization& normalization, const Step& step) {
+  auto& [q, L] = state;
+  Scalars s{q.w(), q.x(), q.y(), q.z(), L.x(), L.y(), L.z()};
   Normalization count = normalization;
   for (; n > 0; --n) {
     step(s);
     if (count.due()) normalize(s);
   }
   normalization = count;
-}
-
-template <class Step>
-[[gnu::always_inline]] inline void repeat(RigidState& state, long n, Normalization& normalization, const Step& step) {
-  auto& [q, L] = state;
-  Scalars s{q.w(), q.x(), q.y(), q.z(), L.x(), L.y(), L.z()};
-  repeat(s, n, normalization, step);
   q = {s.w, s.x, s.y, s.z};
   L = {s.Lx, s.Ly, s.Lz};
-}
-
-// q F, F = w + x i + y j + z k.
-[[gnu::always_inline]] inline void turn(Scalars& s, double w, double x, double y, double z) {
-  s = {s.w * w - s.x * x - s.y * y - s.z * z,
-       s.w * x + s.x * w + s.y * z - s.z * y,
-       s.w * y + s.y * w + s.z * x - s.x * z,
-       s.w * z + s.z * w + s.x * y - s.y * x,
-       s.Lx,
-       s.Ly,
-       s.Lz};
 }
 
 // The curve on which L_B runs, sphere |L_B| and ellipsoid 2 E, by where it crosses L_b = 0: at (A_a, 0, A_c) and its
 // mirror images. b is the axis of the middle moment, (a, b, c) are right-handed. In units of the largest component.
 struct Orbit {
   int a, b, c;
-  double f_a, f_c;             // f_a / I_a + f_c / I_c = 1 / I_b, f_a + f_c = 1
-  double unit, A_a, A_b, A_c;  // A_b: the largest |L_b|
+  double f_a, f_c;  // f_a / I_a + f_c / I_c = 1 / I_b, f_a + f_c = 1
+  double unit, A_a, A_c;
 
   Orbit(const Vector3d& I, const Vector3d& L) : b(0), unit(L.cwiseAbs().maxCoeff()) {
     while ((I(b) - I((b + 1) % 3)) * (I(b) - I((b + 2) % 3)) > 0.0) ++b;
@@ -87,10 +69,6 @@ struct Orbit {
     const Vector3d l = L / unit;
     A_a = std::sqrt(l(a) * l(a) + f_a * l(b) * l(b));
     A_c = std::sqrt(l(c) * l(c) + f_c * l(b) * l(b));
-    const auto largest = [](double A, double f) {
-      return f > 0.0 ? A * A / f : std::numeric_limits<double>::infinity();
-    };
-    A_b = std::sqrt(std::min(largest(A_a, f_a), largest(A_c, f_c)));
   }
 
   // The largest |omega|: omega^2 is linear in L_b^2, so it is where L_b = 0 or where L_b^2 is largest.
@@ -98,7 +76,10 @@ struct Orbit {
     const auto omega2 = [&](double L_b2) {
       return (A_a * A_a - f_a * L_b2) / I(a) / I(a) + L_b2 / I(b) / I(b) + (A_c * A_c - f_c * L_b2) / I(c) / I(c);
     };
-    return unit * std::sqrt(std::max(omega2(0.0), omega2(A_b * A_b)));
+    double most = std::numeric_limits<double>::infinity();
+    if (f_a > 0.0) most = A_a * A_a / f_a;
+    if (f_c > 0.0) most = std::min(most, A_c * A_c / f_c);
+    return unit * std::sqrt(std::max(omega2(0.0), omega2(most)));
   }
 };
 
@@ -120,7 +101,7 @@ double convolution(const Series& p, const Series& q, std::size_t n) {
 // equation of dmv_steps reads e_a J_a = (1 + e^2) h L_a / 2, the same with c. F is a Taylor series from there.
 Vector3d dmv_moments(const Vector3d& I, const Vector3d& L_B, double h) {
   const Orbit orbit(I, L_B);
-  const auto [a, b, c, f_a, f_c, unit, A_a, A_b, A_c] = orbit;
+  const auto [a, b, c, f_a, f_c, unit, A_a, A_c] = orbit;
   if (unit == 0.0) return I;
   if (!(std::abs(h) * orbit.fastest(I) < 0.5 * std::numbers::pi)) return Vector3d::Constant(nan);
   const double t = 0.5 * h * unit;
@@ -173,33 +154,6 @@ Vector3d dmv_moments(const Vector3d& I, const Vector3d& L_B, double h) {
   return J;
 }
 
-// The axes of splitting4. Of the six choices the one for which the two commutators that a step leaves out are least, on
-// the largest L along each axis: which it is depends on where L is, and not on the moments alone.
-void choose_axes(const Vector3d& I, const Vector3d& L_B, RigidPlan& plan) {
-  const Orbit orbit(I, L_B);
-  Vector3d square;
-  square(orbit.a) = orbit.A_a * orbit.A_a;
-  square(orbit.b) = orbit.A_b * orbit.A_b;
-  square(orbit.c) = orbit.A_c * orbit.A_c;
-  double least = std::numeric_limits<double>::infinity();
-  for (int top = 0; top < 3; ++top) {
-    for (const int kicked : {(top + 1) % 3, (top + 2) % 3}) {
-      const int partner = 3 - top - kicked;
-      const double kick = std::abs(1.0 / I(kicked) - 1.0 / I(partner));
-      const double spin = std::abs(1.0 / I(top) - 1.0 / I(partner));
-      const double left_out = kick * spin *
-                              (2.0 * spin * square(top) * (square(kicked) + square(partner)) +
-                               kick * square(kicked) * (square(top) + square(partner)));
-      if (left_out < least) {
-        least = left_out;
-        plan.kicked = kicked;
-        plan.partner = partner;
-        plan.top = top;
-      }
-    }
-  }
-}
-
 }  // namespace
 
 RigidPlan rigid_plan(Integrator integrator, const Vector3d& I_B, const Vector3d& L_B, double h) {
@@ -207,7 +161,6 @@ RigidPlan rigid_plan(Integrator integrator, const Vector3d& I_B, const Vector3d&
   plan.h = h;
   plan.I_B = I_B;
   if (integrator == Integrator::dmv) plan.dmv_moments = dmv_moments(I_B, L_B, h);
-  if (integrator == Integrator::splitting4) choose_axes(I_B, L_B, plan);
   return plan;
 }
 
@@ -239,54 +192,6 @@ void rk4_steps(RigidState& state, const RigidPlan& plan, long n, Normalization& 
     const Scalars k4 = rates(moved(s, h, k3));
     s = moved(s, h / 6.0, moved(moved(k1, 1.0, k4), 2.0, moved(k2, 1.0, k3)));
   });
-}
-
-// Turns the body by so many half quarter turns about axis 1 of the right-handed axes 1, 2, 3.
-[[gnu::always_inline]] inline void roll(double half_angle, double& w, double& q1, double& q2, double& q3, double& L2,
-                                        double& L3) {
-  const auto [S, C] = sincos_of_quarters<double>(half_angle);
-  std::tie(w, q1) = std::pair(w * C - q1 * S, q1 * C + w * S);
-  std::tie(q2, q3) = std::pair(q2 * C + q3 * S, q3 * C - q2 * S);
-  const double sine = 2.0 * S * C;
-  const double cosine = (C - S) * (C + S);
-  std::tie(L2, L3) = std::pair(L2 * cosine + L3 * sine, L3 * cosine - L2 * sine);
-}
-
-// H = top + kick: the top has the partner's moment about the kicked axis too; the kick is what that leaves out,
-// (1/I_kicked - 1/I_partner) L_kicked^2 / 2. The top turns about its axis and, whatever the others do, about L.
-void splitting4_steps(RigidState& state, const RigidPlan& plan, long n, Normalization& normalization) {
-  const auto [top, partner, kicked] = std::tuple(plan.top, plan.partner, plan.kicked);
-  const Vector3d half_turn = plan.h / std::numbers::pi * plan.I_B.cwiseInverse();  // in quarter turns, over L
-  const double top_rate = half_turn(top) - half_turn(partner);
-  const double kick_rate = half_turn(kicked) - half_turn(partner);
-  auto& [q, L] = state;
-  const double size = L.norm();
-  const auto about_L = sincos_of_quarters<double>(half_turn(partner) * size);
-  const double along = size > 0.0 ? about_L.sin / size : 0.0;
-  // x, y, z: top, partner, kicked; where they are left-handed, the opposite of all vectors.
-  const double sign = partner == (top + 1) % 3 ? 1.0 : -1.0;
-  const Vector3d v = sign * q.vec();
-  const Vector3d l = sign * L;
-  Scalars now{q.w(), v(top), v(partner), v(kicked), l(top), l(partner), l(kicked)};
-  constexpr double outer = 0.41449077179437573714;
-  constexpr double inner = 1.0 - 4.0 * outer;
-  repeat(now, n, normalization, [=](Scalars& s) {
-    turn(s, about_L.cos, along * s.Lx, along * s.Ly, along * s.Lz);
-    double before = 0.0;
-    for (const double fraction : {outer, outer, inner, outer, outer}) {
-      roll(0.5 * (before + fraction) * kick_rate * s.Lz, s.w, s.z, s.x, s.y, s.Lx, s.Ly);
-      roll(fraction * top_rate * s.Lx, s.w, s.x, s.y, s.z, s.Ly, s.Lz);
-      before = fraction;
-    }
-    roll(0.5 * outer * kick_rate * s.Lz, s.w, s.z, s.x, s.y, s.Lx, s.Ly);
-  });
-  q.w() = now.w;
-  q.vec()(top) = sign * now.x;
-  q.vec()(partner) = sign * now.y;
-  q.vec()(kicked) = sign * now.z;
-  L(top) = sign * now.Lx;
-  L(partner) = sign * now.Ly;
-  L(kicked) = sign * now.Lz;
 }
 
 // With F = (1, e) / sqrt(1 + e^2) the matrix equation reads, and cyclically,
@@ -339,7 +244,14 @@ void dmv_steps(RigidState& state, const RigidPlan& plan, long n, Normalization& 
     s.Ly -= square * change2 * (e3 * e1);
     s.Lz -= square * change3 * (e1 * e2);
     const double w = std::sqrt(square);
-    turn(s, w, w * e1, w * e2, w * e3);
+    const double x = w * e1, y = w * e2, z = w * e3;  // q F
+    s = {s.w * w - s.x * x - s.y * y - s.z * z,
+         s.w * x + s.x * w + s.y * z - s.z * y,
+         s.w * y + s.y * w + s.z * x - s.x * z,
+         s.w * z + s.z * w + s.x * y - s.y * x,
+         s.Lx,
+         s.Ly,
+         s.Lz};
   });
 }
 

@@ -89,7 +89,10 @@ std::string head_up_text(const Quantity& q, double value) {
 }  // namespace
 
 Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, int width, int height)
-    : scene_(&scene), trajectory_(&trajectory), last_frames_(scene.books.size(), scene.clip.frames - 1) {
+    : scene_(&scene),
+      trajectory_(&trajectory),
+      last_frames_(scene.books.size(), scene.clip.frames - 1),
+      doubts_(doubts_about(scene, trajectory)) {
   const Eigen::Matrix3d R_CW = camera_axes(scene.view.from);
   std::vector<Stand> stands;
   for (std::size_t b = 0; b < scene.books.size(); ++b) {
@@ -208,7 +211,7 @@ Shot Storyboard::shot(int frame) const {
 }
 
 // From the top left down: title, explosions, the time and the figures that the script names; of several books below
-// each, with its name. Never at the bottom left, where a browser's controls lie over them.
+// each, with its name; and how far off a book is that nothing else would say it of. Never at the bottom left, where a browser's controls lie over them.
 std::vector<Label> Storyboard::text(int frame) const {
   const std::vector<BookSetup>& books = scene_->books;
   std::vector<Label> labels{make_label(scene_->title, title_height, palette::gray, {left_edge, title_y}, Align::left)};
@@ -236,6 +239,14 @@ std::vector<Label> Storyboard::text(int frame) const {
   }
   if (!scene_->view.head_up.empty()) {
     add(fmt::format("t {:.1f}", frame * scene_->clip.time_per_frame), figure_height, palette::light);
+    for (const Doubt& doubt : doubts_) {
+      if (frame < doubt.frame) continue;
+      const std::string& name = books[doubt.book].name;
+      const BookFrame& now = trajectory_->books[doubt.book].frames[static_cast<std::size_t>(frame)];
+      add(fmt::format("{}{}{}", name, name.empty() ? "" : " ",
+                      head_up_text(quantity(Q::angle_error), now[Q::angle_error])),
+          figure_height, palette::yellow);
+    }
   }
   const bool one =
       std::count_if(books.begin(), books.end(), [](const BookSetup& book) { return book.style == Style::solid; }) <= 1;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "render/shot.h"
+#include "scene/doubts.h"
 #include "scene/scene.h"
 #include "scene/trajectory.h"
 
@@ -35,6 +36,7 @@ class Storyboard {
   Camera camera_;
   std::vector<Eigen::Vector2d> shifts_;  // of each book's picture, as in a Shot
   std::vector<int> last_frames_;         // in which each book is drawn
+  std::vector<Doubt> doubts_;
   std::map<double, double> set_height_;  // of text, by the height that it should have
 };
 

@@ -66,8 +66,6 @@ int evaluations_a_step(Integrator integrator) {
   switch (integrator) {
     case Integrator::rk4:
       return 4;
-    case Integrator::splitting4:
-      return 5;
     case Integrator::rkn6:
       return 11;
     default:

@@ -70,9 +70,6 @@ struct Ladder {
   }
   [[nodiscard]] Run nearest() const { return least(&Run::error); }
   [[nodiscard]] Run finest() const { return least(&Run::setting); }
-  [[nodiscard]] Run coarsest() const {
-    return least([](const Run& run) { return -run.setting; });
-  }
   [[nodiscard]] Run closest(double setting) const {  // by ratio
     return least([setting](const Run& run) { return std::abs(std::log(run.setting / setting)); });
   }

@@ -247,13 +247,6 @@ void work_precision(Draft& draft) {
   };
   draft.page["rk4"] = {{"own", ns_a_step({Method::quaternion, Integrator::rk4})},
                        {"odeint", ns_a_step({Method::quaternion, Integrator::explicit_euler, Odeint::rk4})}};
-
-  // Two methods of order 4 on the symmetric body, at the same step.
-  const Ladders& case_c = draft.runs[Problem::case_c];
-  const Run splitting = ladder(case_c, {Method::quaternion, Integrator::splitting4}).coarsest();
-  const Run rk4 = ladder(case_c, {Method::quaternion, Integrator::rk4}).closest(splitting.setting);
-  if (rk4.setting == splitting.setting)
-    draft.page["symmetric"] = {{"h", rk4.setting}, {"rk4", rk4.error}, {"splitting4", splitting.error}};
 }
 
 }  // namespace bookspin

@@ -33,7 +33,6 @@ TEST(Bits, AreTheSameOnEveryMachine) {
   EXPECT_EQ(fingerprint(MatrixBook(tumbling(Integrator::explicit_euler))), -0x1.be14a42855c0ep+3);
   EXPECT_EQ(fingerprint(QuaternionBook(tumbling(Integrator::explicit_euler))), -0x1.ea190fcbe3d11p+3);
   EXPECT_EQ(fingerprint(FreeBook(tumbling(Integrator::rk4))), -0x1.dbb157c3f33fcp+3);
-  EXPECT_EQ(fingerprint(FreeBook(tumbling(Integrator::splitting4))), -0x1.dbb157c4046d8p+3);
   EXPECT_EQ(fingerprint(FreeBook(tumbling(Integrator::dmv))), -0x1.dbb157c402ep+3);
   EXPECT_EQ(fingerprint(SpringBook(tumbling(Integrator::velocity_verlet))), -0x1.ba810d23ab077p+3);
   EXPECT_EQ(fingerprint(SpringBook(tumbling(Integrator::rk4))), -0x1.ba7510ee1ff93p+3);

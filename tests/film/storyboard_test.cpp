@@ -87,6 +87,19 @@ TEST(Storyboard, AnExplosionIsSaidAndDrawnOnToItsEndAndASecondLaterTheFilmEnds) 
   }
 }
 
+TEST(Storyboard, ABookThatIsFarOffIsSaidToBeWhereNothingElseSaysIt) {
+  const std::vector<std::string> silent{"book.0.show=[]", "view.head_up=['tilt']",
+                                        "expect=[{quantity='tilt', at_least=0}]"};
+  const Scene scene = load_scene(script("fig09_matrix"), silent);
+  const Trajectory trajectory = simulate(scene);
+  const std::vector<Doubt> doubts = doubts_about(scene, trajectory);
+  ASSERT_EQ(doubts.size(), 1U);
+  const Storyboard storyboard(scene, trajectory, width, height);
+  EXPECT_EQ(find_label(storyboard.shot(doubts[0].frame - 1), "error "), nullptr);
+  EXPECT_NE(find_label(storyboard.shot(doubts[0].frame), "error 0.1"), nullptr);
+  EXPECT_NE(find_label(storyboard.shot(doubts[0].frame), "tilt "), nullptr);
+}
+
 TEST(Storyboard, AFilmLastsAsLongAsOneOfItsBooks) {
   const std::string two = "book=[{}, {normalize=false, damping=0, angular_velocity=[0.9, 0, 0]}]";
   const Scene scene = load_scene(script("fig08_neither"), std::vector{two});

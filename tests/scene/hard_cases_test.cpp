@@ -92,7 +92,7 @@ TEST(Ways, AWrongOneIsAnErrorThatSaysWhatIsAllowed) {
             "s.toml:5:14: book.0.integrator: found 'rk4'; allowed: for matrix one of explicit_euler");
   EXPECT_EQ(error_of("method = 'quaternion'\nintegrator = 'rk5'"),
             "s.toml:5:14: book.0.integrator: found 'rk5'; allowed: for quaternion one of explicit_euler, rk4, "
-            "splitting4, dmv; did you mean \"rk4\"?");
+            "dmv; did you mean \"rk4\"?");
   EXPECT_EQ(error_of("damping = 0.5\nintegrator = 'velocity_verlet'"),
             "s.toml:5:14: book.0.integrator: found 'velocity_verlet'; allowed: for springs with damping one of "
             "explicit_euler, semi_implicit_euler, rk4; velocity_verlet, rkn6, stoermer10 need damping = false");
@@ -163,7 +163,7 @@ TEST(HardCases, Separatrix) {
         for (const Way& way : ways()) {
           SCOPED_TRACE(way.name() + ' ' + start);
           const BookTrack track = run(way, clip, start);
-          if (way.integrator == "splitting4" || way.integrator == "dmv" || way.method == "exact") {
+          if (way.integrator == "dmv" || way.method == "exact") {
             double& worst = is_on ? worst_on : worst_off;
             worst = std::max(worst, largest_error(track));
           }
@@ -226,8 +226,7 @@ TEST(HardCases, HighSpin) {
         } else if (way.integrator.starts_with("dmv") && !track.exploded_frame) {
           EXPECT_NEAR(last[Q::energy_ratio], 1.0, tolerance(2e-14));  // measured: 7e-16
         }
-        if ((way.integrator.starts_with("dmv") && !track.exploded_frame) || way.integrator.starts_with("splitting") ||
-            way.method == "exact") {
+        if ((way.integrator.starts_with("dmv") && !track.exploded_frame) || way.method == "exact") {
           EXPECT_NEAR(last[Q::angular_momentum_ratio], 1.0, tolerance(2e-14));  // measured: 1.8e-15
         }
         if (way.method == "exact") {

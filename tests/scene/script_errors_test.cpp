@@ -150,7 +150,7 @@ const BadScript bad_scripts[] = {
     {"integrator_a_number", "title = \"T\"\n[[book]]\nmethod = \"matrix\"\nintegrator = 4\n",
      "s.toml:4:14: book.0.integrator: found 4; allowed: for matrix one of explicit_euler"},
     {"integrator_nearly", "title = \"T\"\n[[book]]\nmethod = \"quaternion\"\nintegrator = \"rk5\"\n",
-     "s.toml:4:14: book.0.integrator: found 'rk5'; allowed: for quaternion one of explicit_euler, rk4, splitting4, "
+     "s.toml:4:14: book.0.integrator: found 'rk5'; allowed: for quaternion one of explicit_euler, rk4, "
      "dmv; "
      "did you mean \"rk4\"?"},
     {"size_zero", "title = \"T\"\n[[book]]\nsize = [1, 0, 1]\n",
