@@ -9,6 +9,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "dynamics/corners.h"
 
@@ -18,13 +19,14 @@ namespace bookspin {
 enum class Integrator { explicit_euler, semi_implicit_euler, velocity_verlet, rk4, rkn6, stoermer10, dmv };
 
 struct BookOptions {
-  Eigen::Vector3d size{1.878, 2.9085, 0.5};            // full edge lengths a, b, c along the body axes, > 0
+  Eigen::Vector3d size{1.878, 2.9085, 0.5};            // full edge lengths a, b, c along the body axes; flat: one is 0
   Eigen::Vector3d omega_W{0.0, 0.0, 0.0};              // at the start, where W = B; radians per unit of time
   Integrator integrator = Integrator::explicit_euler;  // how the state is stepped
   int normalize_every = 1;                             // steps between two normalizations; 0: never
   double damping = 1.0;                                // springs only: multiple of the critical 2 sqrt(k m), >= 0
   double stiffness = 10.0;                             // springs only: k of each of the 28 springs, > 0
   double particle_mass = 1.0;                          // m of each of the eight particles, > 0
+  Eigen::Vector3d moments{0.0, 0.0, 0.0};              // principal, of particles of mass 1; 0: those of `size`
   bool operator==(const BookOptions&) const = default;
 };
 
@@ -34,8 +36,13 @@ struct Body {
   double reach;         // from the center to a corner: half the diagonal
 };
 
-// The only place that knows what body the options describe.
+// The only place that knows what body the options describe. A flat one's corners are a hundredth of its longest edge
+// apart, to be seen; its moments are those of the plate.
 [[nodiscard]] Body body_of(const BookOptions& options);
+
+// The book, of particles of mass 1, that has these principal moments; none when no body has: each is at most the sum
+// of the other two. An edge that rounding alone makes is 0.
+[[nodiscard]] std::optional<Eigen::Vector3d> size_of(const Eigen::Vector3d& moments);
 
 // Counts a book's steps: asked once after each, it says whether the state is to be normalized now.
 struct Normalization {

@@ -7,7 +7,8 @@
 namespace bookspin {
 
 TorqueFree exact_motion(const BookOptions& options) {
-  return TorqueFree::of_book(options.size, options.omega_W);
+  if (options.moments.x() == 0.0) return TorqueFree::of_book(options.size, options.omega_W);
+  return {options.moments, Eigen::Quaterniond::Identity(), options.moments.cwiseProduct(options.omega_W)};
 }
 
 FreeBook::FreeBook(const BookOptions& options)

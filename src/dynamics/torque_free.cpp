@@ -200,7 +200,9 @@ TorqueFree::TorqueFree(const Vector3d& I_B, const Quaterniond& q_WB0, const Vect
       }()) {}
 
 TorqueFree TorqueFree::of_book(const Vector3d& size, const Vector3d& omega_W) {
-  if (!size.allFinite() || !(size.array() > 0).all()) refuse("the edges must be positive and finite");
+  const auto flat = (size.array() == 0).count();
+  if (!size.allFinite() || size.minCoeff() < 0 || flat > 1)
+    refuse("the edges must be positive and finite; one may be 0");
   if (!omega_W.allFinite()) refuse("the angular velocity must be finite");
   return TorqueFree(Start::of_book(size, omega_W));
 }

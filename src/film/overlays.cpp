@@ -95,7 +95,7 @@ void add_springs(Shot& shot, const BookSetup& setup, const BookTrack& track, std
 
 void add_ghost(Shot& shot, const BookSetup& setup, const Eigen::Quaterniond& q_WB) {
   const Corners corners_W = q_WB.toRotationMatrix() * body_of(setup.options).corners_B;
-  shot.books.push_back({corners_W, BookStyle::ghost});
+  shot.books.push_back({as_bound(setup, corners_W), BookStyle::ghost});
 }
 
 void add_exact(Shot& shot, const BookSetup& setup, const BookTrack& track, std::size_t frame) {
@@ -103,7 +103,7 @@ void add_exact(Shot& shot, const BookSetup& setup, const BookTrack& track, std::
 }
 
 void add_unrotated(Shot& shot, const BookSetup& setup, const BookTrack&, std::size_t) {
-  add_ghost(shot, setup, Eigen::Quaterniond::Identity());
+  add_ghost(shot, setup, setup.q_WB0.value_or(Eigen::Quaterniond::Identity()));
 }
 
 struct Drawing {
@@ -141,6 +141,20 @@ Label make_label(const std::string& text, double height, const Color& color, con
   label.color = color;
   label.align = align;
   return label;
+}
+
+Corners as_bound(const BookSetup& setup, const Corners& corners_W) {
+  std::array<int, 3> axes{2, 0, 1};  // equal edges: as the paper's book
+  std::stable_sort(axes.begin(), axes.end(),
+                   [&](int a, int b) { return setup.options.size(a) < setup.options.size(b); });
+  const auto [thickness, width, height] = axes;
+  const int left_handed = (width + 1) % 3 == height ? 0 : 1;  // then the spine is on the other side, not a mirror image
+  Corners bound_W;
+  for (int i = 0; i < 8; ++i) {
+    const int u = (i & 1) ^ left_handed, v = (i >> 1) & 1, w = i >> 2;
+    bound_W.col(i) = corners_W.col(u << width | v << height | w << thickness);
+  }
+  return bound_W;
 }
 
 void add_overlays(Shot& shot, const BookSetup& setup, const BookTrack& track, std::size_t frame) {

@@ -18,6 +18,9 @@ namespace bookspin {
 [[nodiscard]] Label make_label(const std::string& text, double height, const Color& color,
                                const Eigen::Vector2d& position, Align align = Align::center);
 
+// The corners as the hardcover's: the cover lies on the largest face, the spine along its longer edge.
+[[nodiscard]] Corners as_bound(const BookSetup& setup, const Corners& corners_W);
+
 // Everything that setup.show asks for, at one film frame, about the book's own center.
 void add_overlays(Shot& shot, const BookSetup& setup, const BookTrack& track, std::size_t frame);
 

@@ -182,8 +182,8 @@ Shot Storyboard::shot(int frame) const {
     const auto n = static_cast<std::size_t>(frame);
     Shot alone;
     if (frame <= last_frames_[b]) {
-      alone.books.push_back(
-          {track.frames[n].corners_W, setup.style == Style::ghost ? BookStyle::ghost : BookStyle::solid});
+      alone.books.push_back({as_bound(setup, track.frames[n].corners_W),
+                             setup.style == Style::ghost ? BookStyle::ghost : BookStyle::solid});
       if (track.frames[n].exploded()) {
         const double seconds = (frame - *track.exploded_frame + 1.0) / scene_->clip.fps;
         alone.books.front().brightness = 1.0 - (1.0 - exploded_brightness) * std::min(1.0, seconds / dimming);

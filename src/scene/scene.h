@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -57,7 +58,8 @@ static_assert(overlay_table.size() == static_cast<std::size_t>(Overlay::count));
 struct BookSetup {
   std::string name;  // printed under the book and in the data; may be empty
   Method method = Method::springs;
-  BookOptions options;  // omega_W without the jiggle
+  BookOptions options;                      // omega_W without the jiggle; W as if the book began unturned
+  std::optional<Eigen::Quaterniond> q_WB0;  // at the start, |q| = 1: turns the whole motion; none: W = B there
   double jiggle = 0.0;  // length of the seeded vector added to omega_W, in units of |omega_W|, 0 ... 1
   Eigen::Vector3d position_W = Eigen::Vector3d::Zero();  // where its picture is put; it moves about the origin
   Style style = Style::solid;

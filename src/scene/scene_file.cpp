@@ -99,6 +99,52 @@ void read_integrator(TableReader& reader, BookSetup& book) {
   reader.fail_word(*node, "integrator", allowed, text);
 }
 
+void refuse_both(const TableReader& reader, const char* one, const char* other) {
+  if (reader.has(one) && reader.has(other)) reader.fail(other, fmt::format("either {} or {}", one, other));
+}
+
+// `size` or `moments`: flat at most, and that where no spring has to keep it so.
+void read_shape(TableReader& reader, const BookSetup& book, BookOptions& o) {
+  constexpr Range moment{0.0, 1e12, true};
+  reader.read("size", o.size, {0.0, largest_number}, "edge lengths along x, y, z; one of a flat book is 0");
+  const char* key = "size";
+  if (reader.read("moments", std::span(o.moments.data(), 3), "I1, I2, I3", moment,
+                  "principal moments of inertia about x, y, z, in place of `size`: a book that has them is drawn")) {
+    refuse_both(reader, "size", key = "moments");
+    o.moments /= o.particle_mass;
+    const std::optional<Eigen::Vector3d> size = size_of(o.moments);
+    if (!size) reader.fail("moments", "those of a body: none is greater than the sum of the other two");
+    o.size = *size;
+  } else if ((o.size.array() == 0.0).count() > 1 || (o.size.array() > 0.0 && o.size.array() < 1e-6).any()) {
+    reader.fail("size", "edges from 1e-06 to 1e+06, and 0 for one of them");
+  }
+  if (book.method == Method::springs && o.size.minCoeff() == 0.0) {
+    reader.fail(key, "three edges above 0: no spring keeps a flat book flat; matrix, quaternion and exact do");
+  }
+}
+
+// `angular_velocity` or `angular_momentum`, and the orientation.
+void read_start(TableReader& reader, BookSetup& book) {
+  BookOptions& o = book.options;
+  reader.read("angular_velocity", o.omega_W, signed_number,
+              "at the start, about the book's x, y, z, in radians per unit of time");
+  constexpr Range momentum{-1e12, 1e12};
+  Eigen::Vector3d L_B;
+  if (reader.read("angular_momentum", std::span(L_B.data(), 3), "x, y, z", momentum,
+                  "at the start, about the book's x, y, z, in place of `angular_velocity`")) {
+    refuse_both(reader, "angular_velocity", "angular_momentum");
+    o.omega_W = L_B.cwiseQuotient(body_of(o).I_B);
+  }
+  std::array<double, 4> q{};
+  if (reader.read(
+          "orientation", q, "w, x, y, z", signed_number,
+          "at the start, as a quaternion of any length above 0; without it the book's x, y, z are the world's")) {
+    book.q_WB0 = Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
+    if (book.q_WB0->norm() == 0.0) reader.fail("orientation", "not all of them 0");
+    normalize(*book.q_WB0);
+  }
+}
+
 void read_book(TableReader& reader, BookSetup& book) {
   BookOptions& o = book.options;
   reader.read("name", book.name, "printed under the book");
@@ -106,8 +152,9 @@ void read_book(TableReader& reader, BookSetup& book) {
       reader.read_word("method", method_names,
                        "how the book is simulated: eight corners on 28 springs, a rotation matrix, a quaternion, "
                        "or the exact rigid motion, which takes no steps"));
-  reader.read("size", o.size, {1e-6, largest_number}, "edge lengths along x, y, z");
-  reader.read("angular_velocity", o.omega_W, signed_number, "at the start, about x, y, z, in radians per unit of time");
+  reader.read("particle_mass", o.particle_mass, positive, "mass of each of the eight corners");
+  read_shape(reader, book, o);
+  read_start(reader, book);
   reader.read("jiggle", book.jiggle, {0.0, 1.0},
               "length of a random vector added to the angular velocity, as a part of its length; the direction is the "
               "seed's, the same for all books");
@@ -121,7 +168,6 @@ void read_book(TableReader& reader, BookSetup& book) {
   read_damping(reader, o.damping);
   read_integrator(reader, book);
   reader.read("stiffness", o.stiffness, positive, "of springs: force per length of each of the 28");
-  reader.read("particle_mass", o.particle_mass, positive, "mass of each of the eight corners");
   reader.read("position", book.position_W, signed_number,
               "where its picture is put; the camera sees each book as if it stood in the middle");
   book.style = static_cast<Style>(reader.read_word("style", style_names, "how the book is drawn"));

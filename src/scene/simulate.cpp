@@ -54,7 +54,10 @@ class Recorder {
  public:
   // `options`: those of the setup, with the jiggle in omega_W.
   Recorder(const BookSetup& setup, const BookOptions& options, std::size_t frames)
-      : body_(body_of(options)), exact_(exact_motion(options)), spin_axis_(setup.options.omega_W.normalized()) {
+      : body_(body_of(options)),
+        exact_(exact_motion(options)),
+        spin_axis_(setup.options.omega_W.normalized()),
+        q_WB0_(setup.q_WB0) {
     track_.frames.reserve(frames);
   }
 
@@ -84,7 +87,18 @@ class Recorder {
     push(!first && overflown(f, track_.frames.front()) ? non_finite_frame(track_.frames.back(), f.exact_q_WB) : f);
   }
 
-  BookTrack take() { return std::move(track_); }
+  BookTrack take() {
+    if (!q_WB0_) return std::move(track_);
+    const Eigen::Matrix3d R = q_WB0_->toRotationMatrix();
+    for (BookFrame& f : track_.frames) {
+      f.corners_W = R * f.corners_W;
+      f.q_WB = *q_WB0_ * f.q_WB;
+      f.exact_q_WB = *q_WB0_ * f.exact_q_WB;
+      f.L_W = R * f.L_W;
+      f.omega_W = R * f.omega_W;
+    }
+    return std::move(track_);
+  }
 
  private:
   [[nodiscard]] double tilt(const Eigen::Quaterniond& q_WB) const {  // degrees
@@ -131,6 +145,7 @@ class Recorder {
   Body body_;
   TorqueFree exact_;
   Eigen::Vector3d spin_axis_;  // body = world frame at the start; without the jiggle; 0 for a book at rest
+  std::optional<Eigen::Quaterniond> q_WB0_;
   Passages flips_{30.0, 150.0};
   Passages exact_flips_{30.0, 150.0};
   Pulsations pulsations_;

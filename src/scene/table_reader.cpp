@@ -76,12 +76,12 @@ std::string shown(const toml::node& node) {
   return shortened(text);
 }
 
-// What a comma between decimals makes of a number, or of a list of three.
-std::string_view slip_in(const toml::node& node) {
+// What a comma between decimals makes of a number, or of a list of them.
+std::string_view slip_in(const toml::node& node, std::string_view allowed) {
   static const std::regex number("[-+]?[0-9]+,[0-9]+");
   const toml::array* list = node.as_array();
   const auto* text = node.as_string();
-  const bool slip = list != nullptr   ? list->size() > 3 && list->front().is_number()
+  const bool slip = list != nullptr ? allowed.starts_with("a list of") && list->size() > 3 && list->front().is_number()
                     : text != nullptr ? text->get().size() < 32 && std::regex_match(text->get(), number)
                                       : false;
   return slip ? "; decimals follow a point, not a comma" : "";
@@ -105,7 +105,7 @@ const Key& TableReader::declared(std::string_view key) const {
 
 void TableReader::fail(const toml::node& at, std::string_view key, std::string_view allowed) const {
   throw std::invalid_argument(fmt::format("{}{}: found {}; allowed: {}{}", location(at.source()), full_key(key),
-                                          shown(at), allowed, slip_in(at)));
+                                          shown(at), allowed, slip_in(at, allowed)));
 }
 
 void TableReader::fail(std::string_view key, std::string_view allowed) const {
@@ -185,18 +185,27 @@ void TableReader::read(std::string_view key, std::optional<double>& value, Range
 }
 
 void TableReader::read(std::string_view key, Eigen::Vector3d& value, Range each, const char* meaning) {
-  const toml::node* found =
-      declare({std::string(key), meaning, fmt::format("a list of three numbers [x, y, z], each {}", text_of(each)),
-               fmt::format(R"("type": "array", "items": {{{}}}, "minItems": 3, "maxItems": 3)", schema_of(each)),
-               fmt::format("[{}, {}, {}]", value.x(), value.y(), value.z())});
-  if (found == nullptr) return;
+  const std::string otherwise = fmt::format("[{}, {}, {}]", value.x(), value.y(), value.z());
+  read(key, std::span(value.data(), 3), "x, y, z", each, meaning);
+  keys_.back().otherwise = otherwise;
+}
+
+bool TableReader::read(std::string_view key, std::span<double> values, const char* names, Range each,
+                       const char* meaning) {
+  const std::size_t n = values.size();
+  const toml::node* found = declare(
+      {std::string(key), meaning,
+       fmt::format("a list of {} numbers [{}], each {}", n == 3 ? "three" : "four", names, text_of(each)),
+       fmt::format(R"("type": "array", "items": {{{}}}, "minItems": {}, "maxItems": {})", schema_of(each), n, n)});
+  if (found == nullptr) return false;
   const toml::array* list = found->as_array();
-  if (list == nullptr || list->size() != 3) fail(key);
-  for (int d = 0; d < 3; ++d) {
-    const std::optional<double> number = number_in((*list)[static_cast<std::size_t>(d)], each);
+  if (list == nullptr || list->size() != n) fail(key);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::optional<double> number = number_in((*list)[i], each);
     if (!number) fail(key);
-    value(d) = *number;
+    values[i] = *number;
   }
+  return true;
 }
 
 std::size_t TableReader::read_word(std::string_view key, const Words& words, const char* meaning, const char* manual) {

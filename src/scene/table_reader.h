@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -62,6 +63,8 @@ class TableReader {
   void read(std::string_view key, double& value, Range range, const char* meaning);
   void read(std::string_view key, std::optional<double>& value, Range range, const char* meaning);
   void read(std::string_view key, Eigen::Vector3d& value, Range each, const char* meaning);
+  // One number for each name in "w, x, y, z"; whether they are there.
+  bool read(std::string_view key, std::span<double> values, const char* names, Range each, const char* meaning);
 
   // Index of the word found, 0 when the table lacks the key; indices of the words in a list, none when it does.
   [[nodiscard]] std::size_t read_word(std::string_view key, const Words& words, const char* meaning,

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "film/overlays.h"
 #include "render/camera.h"
 #include "render/renderer.h"
 #include "render/text.h"
@@ -157,6 +158,24 @@ TEST(Storyboard, EqualPosesAreEqualPictures) {
   for (const std::size_t b : {1U, 2U, 3U}) EXPECT_EQ(different_pixels(0, 0, b), 0);
   EXPECT_LE(different_pixels(239, 1, 2), 10);    // measured 0
   EXPECT_GE(different_pixels(480, 2, 3), 1000);  // the exact book is elsewhere: measured
+}
+
+// Whatever the order of the edges: the mesh's thickness along the shortest, its spine along the longest, no mirror image.
+TEST(Storyboard, TheCoverLiesOnTheLargestFace) {
+  BookSetup setup;
+  EXPECT_EQ(as_bound(setup, body_of(setup.options).corners_B), body_of(setup.options).corners_B);
+  std::array<double, 3> edges{0.5, 1.878, 2.9085};
+  do {
+    setup.options.size = Eigen::Vector3d(edges[0], edges[1], edges[2]);
+    const Corners bound = as_bound(setup, body_of(setup.options).corners_B);
+    Eigen::Matrix3d uvw;
+    for (int d = 0; d < 3; ++d) uvw.col(d) = bound.col(1 << d) - bound.col(0);
+    EXPECT_EQ(uvw.colwise().norm(), Eigen::RowVector3d(1.878, 2.9085, 0.5));
+    EXPECT_GT(uvw.determinant(), 0.0);
+    EXPECT_EQ(bound.col(7), bound.col(0) + uvw.rowwise().sum());
+  } while (std::next_permutation(edges.begin(), edges.end()));
+  setup.options.size = Eigen::Vector3d::Ones();
+  EXPECT_EQ(as_bound(setup, body_of(setup.options).corners_B), body_of(setup.options).corners_B);
 }
 
 TEST(Storyboard, AxesAreDrawnAndNamedOnRequest) {

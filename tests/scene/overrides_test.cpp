@@ -130,6 +130,19 @@ TEST(Script, LeavesWhatItDoesNotSayAtItsDefault) {
   EXPECT_EQ(scene.books[0].options.omega_W, Eigen::Vector3d(0, 0, 0));
 }
 
+TEST(Script, MomentsMomentumAndOrientation) {
+  const Scene scene = parse_scene(
+      "title = 'T'\n[[book]]\nmethod = 'exact'\nparticle_mass = 2\nmoments = [2, 4, 6]\nangular_momentum = [1, -8, 3]\n"
+      "orientation = [0, 0, 3, 4]\n",
+      "s.toml");
+  const BookSetup& book = scene.books[0];
+  EXPECT_EQ(body_of(book.options).I_B, Eigen::Vector3d(2, 4, 6));
+  EXPECT_EQ(book.options.size, Eigen::Vector3d(1, std::sqrt(0.5), 0));
+  EXPECT_EQ(book.options.omega_W, Eigen::Vector3d(0.5, -2, 0.5));
+  EXPECT_EQ(book.q_WB0->coeffs(), Eigen::Vector4d(0, 0.6, 0.8, 0));
+  EXPECT_FALSE(parse_scene("title = 'T'\n[[book]]\n", "s.toml").books[0].q_WB0.has_value());
+}
+
 TEST(Script, DampingMayBeTrueOrFalse) {
   EXPECT_EQ(with({"book.0.damping=true"}).books[0].options.damping, 1.0);
   EXPECT_EQ(with({"book.0.damping=false"}).books[0].options.damping, 0.0);

@@ -153,15 +153,37 @@ const BadScript bad_scripts[] = {
      "s.toml:4:14: book.0.integrator: found 'rk5'; allowed: for quaternion one of explicit_euler, rk4, "
      "dmv; "
      "did you mean \"rk4\"?"},
-    {"size_zero", "title = \"T\"\n[[book]]\nsize = [1, 0, 1]\n",
-     "s.toml:3:8: book.0.size: found [1, 0, 1]; allowed: a list of three numbers [x, y, z], each a number from 1e-06 "
-     "to 1e+06"},
+    {"size_of_a_needle", "title = \"T\"\n[[book]]\nsize = [1, 0, 0]\n",
+     "s.toml:3:8: book.0.size: found [1, 0, 0]; allowed: edges from 1e-06 to 1e+06, and 0 for one of them"},
+    {"size_nearly_flat", "title = \"T\"\n[[book]]\nsize = [1, 1e-7, 1]\n",
+     "s.toml:3:8: book.0.size: found [1, 1e-07, 1]; allowed: edges from 1e-06 to 1e+06, and 0 for one of them"},
+    {"springs_of_a_flat_book", "title = \"T\"\n[[book]]\nsize = [1, 0, 1]\n",
+     "s.toml:3:8: book.0.size: found [1, 0, 1]; allowed: three edges above 0: no spring keeps a flat book flat; "
+     "matrix, quaternion and exact do"},
+    {"springs_of_flat_moments", "title = \"T\"\n[[book]]\nmoments = [1, 2, 3]\n",
+     "s.toml:3:11: book.0.moments: found [1, 2, 3]; allowed: three edges above 0: no spring keeps a flat book flat; "
+     "matrix, quaternion and exact do"},
+    {"moments_of_no_body", "title = \"T\"\n[[book]]\nmoments = [3, 5, 9]\n",
+     "s.toml:3:11: book.0.moments: found [3, 5, 9]; allowed: those of a body: none is greater than the sum of the "
+     "other two"},
+    {"moment_zero", "title = \"T\"\n[[book]]\nmoments = [1, 0, 1]\n",
+     "s.toml:3:11: book.0.moments: found [1, 0, 1]; allowed: a list of three numbers [I1, I2, I3], each a number more "
+     "than 0, up to 1e+12"},
+    {"size_and_moments", "title = \"T\"\n[[book]]\nsize = [1, 2, 3]\nmoments = [2, 3, 4]\n",
+     "s.toml:4:11: book.0.moments: found [2, 3, 4]; allowed: either size or moments"},
+    {"two_spins", "title = \"T\"\n[[book]]\nangular_velocity = [1, 0, 0]\nangular_momentum = [1, 0, 0]\n",
+     "s.toml:4:20: book.0.angular_momentum: found [1, 0, 0]; allowed: either angular_velocity or angular_momentum"},
+    {"orientation_of_three", "title = \"T\"\n[[book]]\norientation = [1, 0, 0]\n",
+     "s.toml:3:15: book.0.orientation: found [1, 0, 0]; allowed: a list of four numbers [w, x, y, z], each a number "
+     "between -1e+06 and 1e+06"},
+    {"orientation_of_length_0", "title = \"T\"\n[[book]]\norientation = [0, 0, 0, 0]\n",
+     "s.toml:3:15: book.0.orientation: found [0, 0, 0, 0]; allowed: not all of them 0"},
     {"size_negative", "title = \"T\"\n[[book]]\nsize = [1, -2, 1]\n",
-     "s.toml:3:8: book.0.size: found [1, -2, 1]; allowed: a list of three numbers [x, y, z], each a number from 1e-06 "
+     "s.toml:3:8: book.0.size: found [1, -2, 1]; allowed: a list of three numbers [x, y, z], each a number from 0 "
      "to 1e+06"},
     {"size_of_four", "title = \"T\"\n[[book]]\nsize = [1, 2, 3, 4]\n",
      "s.toml:3:8: book.0.size: found [1, 2, 3, 4]; allowed: a list of three numbers [x, y, z], each a number from "
-     "1e-06 to 1e+06; decimals follow a point, not a comma"},
+     "0 to 1e+06; decimals follow a point, not a comma"},
     {"omega_a_number", "title = \"T\"\n[[book]]\nangular_velocity = 3\n",
      "s.toml:3:20: book.0.angular_velocity: found 3; allowed: a list of three numbers [x, y, z], each a number between "
      "-1e+06 and 1e+06"},
@@ -202,7 +224,7 @@ const BadScript bad_scripts[] = {
      "s.toml:3:17: book.0.show: found 'shadow'; allowed: a list of \"axes\", \"angular_velocity\", "
      "\"angular_momentum\", \"trace\", \"springs\", \"exact\", \"unrotated\""},
     {"second_book", "title = \"T\"\n[[book]]\n[[book]]\n  size = 1\n",
-     "s.toml:4:10: book.1.size: found 1; allowed: a list of three numbers [x, y, z], each a number from 1e-06 to "
+     "s.toml:4:10: book.1.size: found 1; allowed: a list of three numbers [x, y, z], each a number from 0 to "
      "1e+06"},
     {"quantity_missing", "title = \"T\"\n[[book]]\n[[expect]]\nat_most = 1\n",
      "s.toml:3:1: expect.0.quantity: is missing; allowed: one of \"tilt\", \"flips\", \"stretch\", \"kinetic_energy\", "
@@ -304,10 +326,10 @@ const BadOverride bad_overrides[] = {
     {"expect.0.at_most=3", "--set expect.0.at_most=3: the scene has no expect"},
     {"book.0.size=[1,2",
      "--set book.0.size=[1,2: book.0.size: found '[1,2'; allowed: a list of three numbers [x, y, z], each a number "
-     "from 1e-06 to 1e+06"},
+     "from 0 to 1e+06"},
     {"book.0.size=[1,2]",
      "--set book.0.size=[1,2]: book.0.size: found [1, 2]; allowed: a list of three numbers [x, y, z], each a number "
-     "from 1e-06 to 1e+06"},
+     "from 0 to 1e+06"},
     {"book.0.size.0=2", "--set book.0.size.0=2: the script has no list 'size': give it whole, such as size=[1, 2, 3]"},
     {"title=", "--set title=: title: found ''; allowed: a text in quotes, not empty"},
     {"title=7", "--set title=7: title: found 7; allowed: a text in quotes"},

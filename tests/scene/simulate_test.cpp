@@ -102,6 +102,50 @@ TEST(Simulate, PositionDoesNotEnterTheMotion) {
 }
 
 // Spun about y, the tilt of the spin axis of a steady spin is 0; the book's own orientation turns with omega t.
+// A motion of the same book from another orientation is the same motion, turned as a whole.
+TEST(Orientation, AtTheStartTurnsTheWholeMotion) {
+  for (const std::string method : {"springs", "matrix", "quaternion", "exact"}) {
+    const std::string book = "method = '" + method + "'\nangular_velocity = [0.115, 0.01, 0.02]\n";
+    const BookTrack plain = run(book, 40, 3.0, 100);
+    const BookTrack turned = run(book + "orientation = [2, 0, 2, 0]\n", 40, 3.0, 100);
+    const Eigen::Quaterniond quarter(Eigen::AngleAxisd(pi / 2, Eigen::Vector3d::UnitY()));
+    const Eigen::Matrix3d R = quarter.toRotationMatrix();
+    for (std::size_t n = 0; n < 40; ++n) {
+      const BookFrame &a = plain.frames[n], &b = turned.frames[n];
+      EXPECT_LE((R * a.corners_W - b.corners_W).norm(), tolerance(1e-14));    // measured 1.1e-15
+      EXPECT_LE((R * a.omega_W - b.omega_W).norm(), tolerance(1e-15));        // measured 3.1e-17
+      EXPECT_LE(geodesic_angle(quarter * a.q_WB, b.q_WB), tolerance(1e-14));  // measured 4.6e-16
+      EXPECT_LE(geodesic_angle(quarter * a.exact_q_WB, b.exact_q_WB), tolerance(1e-14));
+      EXPECT_EQ(a.value[0], b.value[0]);  // the tilt, and all that is measured
+    }
+  }
+}
+
+// A plate has I3 = I1 + I2, by its size or by its moments, also where these are sums only but for rounding.
+TEST(Plate, MovesAlikeBySizeByMomentsAndByRungeKutta) {
+  ASSERT_NE(0.1 + 0.2, 0.3);
+  const std::string rest = "angular_velocity = [0.3, 1, 0.2]\nmethod = ";
+  const BookTrack plate = run("size = [1, 0.7071067811865476, 0]\n" + rest + "'exact'\n", 50, 1.0, 1);
+  const BookTrack moments = run("moments = [0.1, 0.2, 0.3]\n" + rest + "'exact'\n", 50, 1.0, 1);
+  const BookTrack stepped =
+      run("size = [1, 0.7071067811865476, 0]\n" + rest + "'quaternion'\nintegrator = 'rk4'\n", 50, 1.0, 500);
+  for (std::size_t n = 0; n < 50; ++n) {
+    EXPECT_LE(geodesic_angle(plate.frames[n].q_WB, moments.frames[n].q_WB), tolerance(1e-13));  // measured 1.1e-14
+    EXPECT_LE(stepped.frames[n][Q::angle_error], tolerance(1e-11));                             // measured 1.3e-12
+    EXPECT_LE(plate.frames[n][Q::stretch], tolerance(1e-13));                                   // measured 6.7e-15
+  }
+  EXPECT_EQ(body_of({.size = {1, 0, 2}}).corners_B(1, 7), 0.01);  // drawn thin: 0.02, half to each side
+}
+
+TEST(Moments, AreThoseOfTheirBook) {
+  const Eigen::Vector3d moments(62.2, 210.5, 171.5);
+  const Eigen::Vector3d of_size = body_of({.size = *size_of(moments)}).I_B;
+  EXPECT_LE((of_size - moments).cwiseAbs().maxCoeff(), tolerance(6e-14));  // measured 2.8e-14
+  EXPECT_EQ(body_of({.particle_mass = 3.0, .moments = moments}).I_B, 3.0 * moments);
+  EXPECT_FALSE(size_of({3, 5, 9}).has_value());
+  EXPECT_EQ(size_of({1, 1, 2})->z(), 0.0);
+}
+
 TEST(Tilt, OfASteadySpinIs0) {
   const BookTrack track = run("method = 'quaternion'\nangular_velocity = [0, 0.5, 0]\n", 100, 0.1, 100);
   for (std::size_t n = 0; n < 100; ++n) {
