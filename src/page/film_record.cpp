@@ -32,7 +32,7 @@ class Value {
                         : json_->is_array() ? fmt::format("a list of {}", json_->size())
                                             : json_->dump(-1, ' ', true);
     constexpr std::size_t longest = 60;
-    if (found.size() > longest) found = found.substr(0, longest) + "...";
+    if (found.size() > longest) found.replace(longest, found.npos, "...");
     fail(fmt::format("found {}; allowed: {}", found, allowed));
   }
 
