@@ -10,6 +10,7 @@
 
 #include "files/checksums.h"
 #include "files/files.h"
+#include "render/renderer.h"
 #include "scene/scene_file.h"
 
 namespace bookspin {
@@ -147,9 +148,11 @@ bool is_up_to_date(const Film& film, const Products& products) try {
   for (const auto& [key, value] : wanted.items()) {
     if (!found.contains(key) || found[key] != value) return false;
   }
-  return true;
+  // Last, as it costs a context: the same for all films of a call.
+  static const std::string opengl = describe_opengl(ContextKind::any);
+  return found.contains("versions") && found["versions"].contains("OpenGL") && found["versions"]["OpenGL"] == opengl;
 } catch (const std::runtime_error&) {
-  return false;  // a product cannot be read
+  return false;  // a product cannot be read, or there is no OpenGL: then drawing says why
 }
 
 }  // namespace bookspin

@@ -43,7 +43,8 @@ struct FilmData {
 // Throws std::runtime_error.
 void write_film_data(const Part& part, const FilmData& data);
 
-// Whether the products are there as they were made, of the same script in the same way, with every expectation met.
+// Whether the products are there as they were made, of the same script in the same way, by the OpenGL of now, with
+// every expectation met.
 // False for files that cannot be read or are not of this format.
 [[nodiscard]] bool is_up_to_date(const Film& film, const Products& products);
 

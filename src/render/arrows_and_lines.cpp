@@ -72,7 +72,7 @@ std::vector<float> arrow_triangles(const Arrow& arrow) {
 }
 
 // Two triangles as wide as asked on the screen, or nothing when the line is behind the eye.
-void push_line(std::vector<float>& out, const View& camera, int width, int height, const Line& line) {
+void push_line(std::vector<float>& out, const View& camera, const Line& line) {
   const View view = camera.shifted(line.shift);
   Eigen::Vector4d a = view.clip_from_world() * line.from_W.homogeneous();
   Eigen::Vector4d b = view.clip_from_world() * line.to_W.homogeneous();
@@ -81,7 +81,7 @@ void push_line(std::vector<float>& out, const View& camera, int width, int heigh
   if (a.w() < near) a += (near - a.w()) / (b.w() - a.w()) * (b - a);
   if (b.w() < near) b += (near - b.w()) / (a.w() - b.w()) * (a - b);
 
-  const Eigen::Vector2d half_frame(width / 2.0, height / 2.0);
+  const Eigen::Vector2d half_frame = view.half_frame();
   const Eigen::Vector2d a_px = (a.head<2>() / a.w()).cwiseProduct(half_frame);
   const Eigen::Vector2d b_px = (b.head<2>() / b.w()).cwiseProduct(half_frame);
   const double length = (b_px - a_px).norm();
@@ -154,7 +154,7 @@ void ArrowAndLinePainter::draw_arrow(const View& camera, const Arrow& arrow) {
   draw(solid_stream_, arrow_triangles(arrow), solid_floats);
 }
 
-void ArrowAndLinePainter::draw_lines(const View& view, int width, int height, std::span<const Line> lines) {
+void ArrowAndLinePainter::draw_lines(const View& view, std::span<const Line> lines) {
   line_.use();
   gl_->Enable(GL_DEPTH_TEST);
   gl_->Disable(GL_CULL_FACE);
@@ -162,7 +162,7 @@ void ArrowAndLinePainter::draw_lines(const View& view, int width, int height, st
   for (const bool opaque : {true, false}) {
     std::vector<float> vertices;
     for (const Line& line : lines) {
-      if ((line.color.a == 255) == opaque) push_line(vertices, view, width, height, line);
+      if ((line.color.a == 255) == opaque) push_line(vertices, view, line);
     }
     if (vertices.empty()) continue;
     if (!opaque) {

@@ -21,7 +21,7 @@ class ArrowAndLinePainter {
   ArrowAndLinePainter(const GladGLContext& gl, const std::filesystem::path& assets);
 
   void draw_arrow(const View& camera, const Arrow& arrow);
-  void draw_lines(const View& view, int width, int height, std::span<const Line> lines);
+  void draw_lines(const View& view, std::span<const Line> lines);
 
   // World points whose convex hull holds the arrow.
   static std::array<Eigen::Vector3d, 16> hull(const Arrow& arrow);

@@ -1,5 +1,6 @@
 #include "render/book_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -50,6 +51,10 @@ struct Vertex {
   double shade = 1;
 };
 
+std::array<float, 3> as_floats(double x, double y, double z) {
+  return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+}
+
 class Builder {
  public:
   // A grid of columns x rows vertices; position (column, row) -> vertex. Columns run right and rows up seen from
@@ -59,8 +64,10 @@ class Builder {
     for (int row = 0; row < row_count; ++row) {
       for (int column = 0; column < columns; ++column) {
         const Vertex p = vertex(column, row);
-        const auto f = [](double x) { return static_cast<float>(x); };
-        mesh.vertices.push_back({{f(p.u), f(p.v), f(p.w)}, {f(p.nu), f(p.nv), f(p.nw)}, {f(p.s), f(p.t)}, f(p.shade)});
+        mesh.vertices.push_back({as_floats(p.u, p.v, p.w),
+                                 as_floats(p.nu, p.nv, p.nw),
+                                 {static_cast<float>(p.s), static_cast<float>(p.t)},
+                                 static_cast<float>(p.shade)});
       }
     }
     auto& triangles = mesh.triangles[static_cast<std::size_t>(part)];
@@ -85,6 +92,42 @@ class Builder {
                     profile.normals[i].u, 0,     profile.normals[i].w,
                     profile.texture[i],   1 - v, shade};
     });
+  }
+
+  // The same, and all of it border: a narrow side of a board.
+  void narrow_side(BookPart part, int columns, int row_count, const std::function<Vertex(int, int)>& vertex) {
+    auto& triangles = mesh.triangles[static_cast<std::size_t>(part)];
+    std::size_t i = triangles.size();
+    grid(part, columns, row_count, vertex);
+    for (; i < triangles.size(); ++i) mesh.borders.push_back({mesh.vertices[triangles[i]].position, {}, {}, {}});
+  }
+
+  // Strips round what a profile, drawn out along v from 0 to 1, makes; its points run right seen from outside.
+  void border(const std::vector<Point>& profile) {
+    const std::size_t last = profile.size() - 1;
+    const auto vertex = [&](std::size_t i, double v, bool inner) {
+      const Point& p = profile[i];
+      const Point& from = profile[i < last ? i : last / 2];
+      const Point& to = profile[i == 0 ? (last + 1) / 2 : std::min(i + 1, last)];
+      const float right = i == 0 ? 1.0F : i == last ? -1.0F : 0.0F;
+      const float up = v == 0.0 ? 1.0F : -1.0F;
+      mesh.borders.push_back({as_floats(p.u, v, p.w), as_floats(to.u - from.u, 0, to.w - from.w), as_floats(0, 1, 0),
+                              inner ? std::array{right, up} : std::array{0.0F, 0.0F}});
+    };
+    const auto strip = [&](std::size_t i, double vi, std::size_t j, double vj) {  // anticlockwise
+      vertex(i, vi, false);
+      vertex(j, vj, false);
+      vertex(j, vj, true);
+      vertex(i, vi, false);
+      vertex(j, vj, true);
+      vertex(i, vi, true);
+    };
+    for (std::size_t i = 0; i < last; ++i) {
+      strip(i, 0, i + 1, 0);
+      strip(i + 1, 1, i, 1);
+    }
+    strip(last, 0, last, 1);
+    strip(0, 1, 0, 0);
   }
 
   BookMesh mesh;
@@ -138,7 +181,7 @@ Profile spine(const Divisions& n, double inset_u, double inset_w) {
 void add_rims(Builder& builder, BookPart part, const Profile& outside, const std::vector<Point>& inside) {
   const auto columns = static_cast<int>(outside.points.size());
   for (const bool top : {true, false}) {
-    builder.grid(part, columns, 2, [&](int column, int row) {
+    builder.narrow_side(part, columns, 2, [&](int column, int row) {
       const auto i = static_cast<std::size_t>(column);
       const Point p = (row == 0) == top ? outside.points[i] : inside[i];
       return Vertex{p.u, top ? 1.0 : 0.0, p.w, 0, top ? 1.0 : -1.0, 0, outside.texture[i], top ? 0.004 : 0.996, 0.9};
@@ -150,6 +193,8 @@ void add_boards(Builder& builder, const Divisions& n) {
   const Profile front = front_outside(n), back = back_outside(n);
   builder.extrude(BookPart::front, front, 0, 1, n.rows);
   builder.extrude(BookPart::back, back, 0, 1, n.rows);
+  builder.border({front.points.front(), front.points.back()});
+  builder.border({back.points.front(), back.points.back()});
   for (const bool is_front : {true, false}) {
     const BookPart part = is_front ? BookPart::front : BookPart::back;
     const Profile& outside = is_front ? front : back;
@@ -160,7 +205,7 @@ void add_boards(Builder& builder, const Divisions& n) {
     add_rims(builder, part, outside, inside);
 
     const double s = is_front ? 0.996 : 0.004;
-    builder.grid(part, 2, n.rows + 1, [&](int column, int row) {  // the fore-edge of the board
+    builder.narrow_side(part, 2, n.rows + 1, [&](int column, int row) {  // the fore-edge of the board
       const double v = static_cast<double>(row) / n.rows;
       const double w = (column == 0) == is_front ? outer_w : inner_w;
       return Vertex{1, v, w, 1, 0, 0, s, 1 - v, 0.9};
@@ -174,7 +219,7 @@ void add_insides(Builder& builder, const Divisions& n) {
   for (const bool is_front : {true, false}) {
     const double w = is_front ? 1 - board : board;
     const double nw = is_front ? -1 : 1;
-    builder.grid(BookPart::pages, n.inside + 1, n.rows + 1, [&](int column, int row) {
+    builder.grid(BookPart::insides, n.inside + 1, n.rows + 1, [&](int column, int row) {
       const double from_fore_edge = static_cast<double>(is_front ? column : n.inside - column) / n.inside;
       const double u = 1 - from_fore_edge * (1 - bulge);
       return Vertex{u, static_cast<double>(row) / n.rows, w, 0, 0, nw, 0.5, 0.5, 0.16};
@@ -187,13 +232,14 @@ void add_insides(Builder& builder, const Divisions& n) {
     facing_in.normals.push_back({-inside.normals[i].u, -inside.normals[i].w});
     facing_in.texture.push_back(0.5);
   }
-  builder.extrude(BookPart::pages, facing_in, 0, 1, n.inside, 0.14);
+  builder.extrude(BookPart::insides, facing_in, 0, 1, n.inside, 0.14);
 }
 
 void add_spine(Builder& builder, const Divisions& n) {
   const Profile outside = spine(n, 0, 0);
   const Profile inside = spine(n, shell, board);
   builder.extrude(BookPart::spine, outside, 0, 1, n.rows);
+  builder.border(outside.points);
   add_rims(builder, BookPart::spine, outside, inside.points);
 }
 

@@ -13,8 +13,8 @@
 
 namespace bookspin {
 
-enum class BookPart { pages, front, back, spine };  // by texture, in the order of drawing
-constexpr std::size_t book_part_count = 4;
+enum class BookPart { insides, pages, front, back, spine };  // in the order of drawing
+constexpr std::size_t book_part_count = 5;
 
 struct BookVertex {
   std::array<float, 3> position;  // unit coordinates
@@ -23,9 +23,17 @@ struct BookVertex {
   float shade;                    // share of the light that reaches this place, 0 ... 1
 };
 
+// Of a strip along the border of a face. Its inner vertices are to lie inwards of its outer ones, in the face.
+struct BorderVertex {
+  std::array<float, 3> position;       // unit coordinates, on the border
+  std::array<float, 3> along, across;  // two directions in the face, no longer than it
+  std::array<float, 2> inwards;        // -1, 0 or 1 of each of them
+};
+
 struct BookMesh {
   std::vector<BookVertex> vertices;
   std::array<std::vector<std::uint16_t>, book_part_count> triangles;  // vertex indices, three a triangle, by part
+  std::vector<BorderVertex> borders;  // of the covers and the spine, three a triangle; the boards' narrow sides entire
 };
 
 // fineness 1 does for a book that is hardly bent, as each triangle costs over a microsecond a frame.

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cstddef>
+#include <initializer_list>
 #include <vector>
 
 #include "image/png.h"
@@ -43,6 +44,26 @@ Handle upload_texture(const GladGLContext& gl, const std::filesystem::path& file
   return texture;
 }
 
+struct Attribute {
+  GLint size;
+  std::size_t offset;
+};
+
+// Into the vertex array that is bound.
+template <typename Vertex>
+void upload_vertices(const GladGLContext& gl, const Handle& buffer, const std::vector<Vertex>& vertices,
+                     std::initializer_list<Attribute> attributes) {
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer.id());
+  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)), vertices.data(),
+                GL_STATIC_DRAW);
+  GLuint location = 0;
+  for (const Attribute& attribute : attributes) {
+    gl.EnableVertexAttribArray(location);
+    gl.VertexAttribPointer(location++, attribute.size, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                           buffer_offset(attribute.offset));
+  }
+}
+
 // The winding seen on the screen holds only where the map keeps its orientation: everywhere, if it does so at the
 // corners of a book that is not badly bent. Otherwise depth alone decides what is seen.
 bool keeps_orientation(const Corners& corners) {
@@ -75,14 +96,18 @@ BookPainter::BookPainter(const GladGLContext& gl, const std::filesystem::path& a
     : gl_(&gl),
       solid_(gl, assets / "shaders" / "book.vert", assets / "shaders" / "book.frag"),
       ghost_(gl, assets / "shaders" / "book.vert", assets / "shaders" / "ghost.frag"),
+      border_(gl, assets / "shaders" / "border.vert", assets / "shaders" / "line.frag"),
       solid_uniforms_(find_uniforms(solid_)),
       ghost_uniforms_(find_uniforms(ghost_)),
+      border_uniforms_(find_uniforms(border_)),
       brightness_(solid_.uniform("brightness")),
-      opacity_(ghost_.uniform("opacity")),
-      hardcover_(upload(gl, hardcover(1))),
-      fine_hardcover_(upload(gl, hardcover(4))) {
-  const std::array<const char*, book_part_count> names{"pages.png", "front.png", "back.png", "spine.png"};
-  for (std::size_t i = 0; i < book_part_count; ++i) {
+      half_frame_(border_.uniform("half_frame")),
+      color_(border_.uniform("color")),
+      hardcover_(upload(hardcover(1))),
+      fine_hardcover_(upload(hardcover(4))) {
+  upload_borders(hardcover(1));
+  const std::array<const char*, book_part_count> names{"", "pages.png", "front.png", "back.png", "spine.png"};
+  for (std::size_t i = 1; i < book_part_count; ++i) {
     textures_[i] = upload_texture(gl, assets / "textures" / names[i]);
   }
   ghost_.use();
@@ -94,30 +119,39 @@ BookPainter::Uniforms BookPainter::find_uniforms(const Program& program) {
   return {program.uniform("corners_C"), program.uniform("clip_from_camera")};
 }
 
-BookPainter::Mesh BookPainter::upload(const GladGLContext& gl, const BookMesh& mesh) {
-  Mesh result{make_vertex_array(gl), make_buffer(gl), make_buffer(gl), {}};
-  gl.BindVertexArray(result.vertex_array.id());
-  gl.BindBuffer(GL_ARRAY_BUFFER, result.vertices.id());
-  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(BookVertex)),
-                mesh.vertices.data(), GL_STATIC_DRAW);
-  const auto attribute = [&](GLuint location, GLint size, std::size_t offset) {
-    gl.EnableVertexAttribArray(location);
-    gl.VertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, sizeof(BookVertex), buffer_offset(offset));
-  };
-  attribute(0, 3, offsetof(BookVertex, position));
-  attribute(1, 3, offsetof(BookVertex, normal));
-  attribute(2, 2, offsetof(BookVertex, texture));
-  attribute(3, 1, offsetof(BookVertex, shade));
-
+BookPainter::Mesh BookPainter::upload(const BookMesh& mesh) {
+  Mesh result{make_vertex_array(*gl_), make_buffer(*gl_), make_buffer(*gl_), {}};
+  gl_->BindVertexArray(result.vertex_array.id());
+  upload_vertices(*gl_, result.vertices, mesh.vertices,
+                  {{3, offsetof(BookVertex, position)},
+                   {3, offsetof(BookVertex, normal)},
+                   {2, offsetof(BookVertex, texture)},
+                   {1, offsetof(BookVertex, shade)}});
   std::vector<std::uint16_t> indices;
   for (std::size_t i = 0; i < book_part_count; ++i) {
     result.parts[i] = {static_cast<GLsizei>(mesh.triangles[i].size()), indices.size() * sizeof(std::uint16_t)};
     indices.insert(indices.end(), mesh.triangles[i].begin(), mesh.triangles[i].end());
   }
-  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, result.indices.id());
-  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint16_t)),
-                indices.data(), GL_STATIC_DRAW);
+  gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, result.indices.id());
+  gl_->BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint16_t)),
+                  indices.data(), GL_STATIC_DRAW);
   return result;
+}
+
+void BookPainter::upload_borders(const BookMesh& mesh) {
+  border_vertex_array_ = make_vertex_array(*gl_);
+  border_vertices_ = make_buffer(*gl_);
+  border_count_ = static_cast<GLsizei>(mesh.borders.size());
+  gl_->BindVertexArray(border_vertex_array_.id());
+  upload_vertices(*gl_, border_vertices_, mesh.borders,
+                  {{3, offsetof(BorderVertex, position)},
+                   {3, offsetof(BorderVertex, along)},
+                   {3, offsetof(BorderVertex, across)},
+                   {2, offsetof(BorderVertex, inwards)}});
+}
+
+const BookPainter::Mesh& BookPainter::mesh_for(const Corners& corners) const {
+  return is_unbent(corners) ? hardcover_ : fine_hardcover_;
 }
 
 void BookPainter::draw_solid(const View& view, const BookPose& book, bool with_depth) {
@@ -128,39 +162,49 @@ void BookPainter::draw_solid(const View& view, const BookPose& book, bool with_d
   } else {
     gl_->Disable(GL_DEPTH_TEST);
   }
-  draw(view, book.corners_W, solid_uniforms_);
+  place(view, book.corners_W, solid_uniforms_);
+  const Mesh& mesh = mesh_for(book.corners_W);
+  for (std::size_t part = 0; part < book_part_count; ++part) draw_part(mesh, part);
 }
 
 void BookPainter::draw_ghost(const View& view, const Corners& corners_W) {
-  ghost_.use();
-  gl_->Enable(GL_DEPTH_TEST);
-  // Depth first, so that of its own faces only the nearest are seen.
-  gl_->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  draw(view, corners_W, ghost_uniforms_, -coincident);
-  gl_->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl_->DepthMask(GL_FALSE);
-  gl_->Enable(GL_BLEND);
-  struct Layer {
-    GLenum depth;
-    double nearer;
-    float faces, edges;  // opacity
-    BookPart first_part;
+  const Mesh& mesh = mesh_for(corners_W);
+  // The nearest of its own faces first, so that no other shines through; of a bent book depth alone knows which they are.
+  const auto draw_faces = [&] {
+    ghost_.use();
+    place(view, corners_W, ghost_uniforms_, -coincident);
+    for (std::size_t part = book_part_count; part-- > 0;) draw_part(mesh, part);
   };
-  for (const Layer& layer : {Layer{GL_EQUAL, -coincident, 0.40F, 0.40F, BookPart::pages},
-                             Layer{GL_ALWAYS, 0.0, 0.0F, 0.40F, BookPart::front},
-                             Layer{GL_LESS, coincident, 0.0F, 0.80F, BookPart::front}}) {
-    gl_->DepthFunc(layer.depth);
-    gl_->Uniform2f(opacity_, layer.faces, layer.edges);
-    draw(view, corners_W, ghost_uniforms_, layer.nearer, layer.first_part);
+  gl_->Enable(GL_DEPTH_TEST);
+  const bool bent = &mesh == &fine_hardcover_;
+  if (bent) {
+    gl_->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    draw_faces();
+    gl_->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   }
-  gl_->Disable(GL_BLEND);
+
+  gl_->Enable(GL_BLEND);
+  border_.use();
+  place(view, corners_W, border_uniforms_, coincident);
+  gl_->BindVertexArray(border_vertex_array_.id());
+  const Eigen::Vector2f half_frame = view.half_frame().cast<float>();
+  gl_->Uniform2fv(half_frame_, 1, half_frame.data());
+  std::array<float, 4> color = gl_color(ghost_tint);
+  for (const bool seen : {false, true}) {
+    gl_->DepthFunc(seen ? GL_LESS : GL_ALWAYS);
+    gl_->DepthMask(seen ? GL_TRUE : GL_FALSE);
+    color[3] = seen ? 0.85F : 0.4F;
+    gl_->Uniform4fv(color_, 1, color.data());
+    gl_->DrawArrays(GL_TRIANGLES, 0, border_count_);
+  }
+
+  gl_->DepthFunc(bent ? GL_LEQUAL : GL_LESS);
+  draw_faces();
   gl_->DepthFunc(GL_LESS);
-  gl_->DepthMask(GL_TRUE);
+  gl_->Disable(GL_BLEND);
 }
 
-void BookPainter::draw(const View& view, const Corners& corners_W, const Uniforms& uniforms, double nearer,
-                       BookPart first_part) {
-  const Mesh& mesh = is_unbent(corners_W) ? hardcover_ : fine_hardcover_;
+void BookPainter::place(const View& view, const Corners& corners_W, const Uniforms& uniforms, double nearer) {
   // In units of the camera's distance, so that single precision does for scenes of any size.
   const Eigen::Matrix<float, 3, 8> corners_C =
       (view.R_CW() * (corners_W.colwise() - view.eye_W()) / view.distance()).cast<float>();
@@ -168,17 +212,18 @@ void BookPainter::draw(const View& view, const Corners& corners_W, const Uniform
   clip_from_camera.row(2) -= static_cast<float>(nearer) * clip_from_camera.row(3);
   gl_->Uniform3fv(uniforms.corners_C, 8, corners_C.data());
   gl_->UniformMatrix4fv(uniforms.clip_from_camera, 1, GL_FALSE, clip_from_camera.data());
-
   if (keeps_orientation(corners_W)) {
     gl_->Enable(GL_CULL_FACE);
   } else {
     gl_->Disable(GL_CULL_FACE);
   }
+}
+
+void BookPainter::draw_part(const Mesh& mesh, std::size_t part) {
   gl_->BindVertexArray(mesh.vertex_array.id());
-  for (auto i = static_cast<std::size_t>(first_part); i < book_part_count; ++i) {
-    gl_->BindTexture(GL_TEXTURE_2D, textures_[i].id());
-    gl_->DrawElements(GL_TRIANGLES, mesh.parts[i].indices, GL_UNSIGNED_SHORT, buffer_offset(mesh.parts[i].first_byte));
-  }
+  gl_->BindTexture(GL_TEXTURE_2D, textures_[std::max<std::size_t>(part, 1)].id());  // the insides are of paper, too
+  gl_->DrawElements(GL_TRIANGLES, mesh.parts[part].indices, GL_UNSIGNED_SHORT,
+                    buffer_offset(mesh.parts[part].first_byte));
 }
 
 }  // namespace bookspin

@@ -1,10 +1,10 @@
 // Draws books into the current frame buffer: the hardcover's mesh carried by the trilinear map of the eight corners.
 //
 // A ghost is one translucent layer of the same mesh, hidden by what is in front of it, and by what lies where it lies; its
-// edges are drawn in full where they are seen and faintly where not. So a ghost that coincides with a solid book is that
-// book with its edges traced.
+// borders are drawn in full where they are seen and faintly where not. So a ghost that coincides with a solid book is
+// that book with its edges traced.
 //
-// Needs <assets>/shaders/{book.vert,book.frag,ghost.frag} and <assets>/textures/{front,back,spine,pages}.png.
+// Needs <assets>/shaders/{book.vert,book.frag,ghost.frag,border.vert,line.frag} and <assets>/textures/{front,back,spine,pages}.png.
 // Throws std::runtime_error as Program and read_png do.
 #pragma once
 
@@ -45,17 +45,22 @@ class BookPainter {
     GLint corners_C, clip_from_camera;
   };
 
-  static Mesh upload(const GladGLContext& gl, const BookMesh& mesh);
+  Mesh upload(const BookMesh& mesh);
+  void upload_borders(const BookMesh& mesh);
   static Uniforms find_uniforms(const Program& program);
-  void draw(const View& view, const Corners& corners_W, const Uniforms& uniforms, double nearer = 0.0,
-            BookPart first_part = BookPart::pages);
+  // nearer: in clip coordinates, at the same place on the screen.
+  void place(const View& view, const Corners& corners_W, const Uniforms& uniforms, double nearer = 0.0);
+  void draw_part(const Mesh& mesh, std::size_t part);
+  [[nodiscard]] const Mesh& mesh_for(const Corners& corners) const;
 
   const GladGLContext* gl_;
-  Program solid_, ghost_;
-  Uniforms solid_uniforms_, ghost_uniforms_;
+  Program solid_, ghost_, border_;
+  Uniforms solid_uniforms_, ghost_uniforms_, border_uniforms_;
   GLint brightness_;                 // of the solid
-  GLint opacity_;                    // of the ghost's faces and edges
+  GLint half_frame_, color_;         // of the borders
   Mesh hardcover_, fine_hardcover_;  // the fine one for bent books
+  Handle border_vertex_array_, border_vertices_;
+  GLsizei border_count_ = 0;  // of vertices
   std::array<Handle, book_part_count> textures_;
 };
 

@@ -29,6 +29,7 @@ class View {
   View(const Camera& camera, int width, int height);
   [[nodiscard]] View shifted(const Eigen::Vector2d& shift) const;  // see shot.h
 
+  [[nodiscard]] Eigen::Vector2d half_frame() const { return {width_ / 2.0, height_ / 2.0}; }  // pixels
   [[nodiscard]] const Eigen::Matrix4d& clip_from_world() const { return clip_from_world_; }
   // The same from the camera frame in units of distance().
   [[nodiscard]] const Eigen::Matrix4d& clip_from_unit_camera() const { return clip_from_unit_camera_; }

@@ -138,7 +138,7 @@ void Renderer::Parts::draw_scene(const Shot& next, const Footprint& next_footpri
   for (std::size_t i = 0; i < next.lines.size(); ++i) {
     if (touched(next_footprint.lines[i])) lines.push_back(next.lines[i]);
   }
-  arrows_and_lines.draw_lines(view, scene.width, scene.height, lines);
+  arrows_and_lines.draw_lines(view, lines);
   for (std::size_t i = 0; i < next.books.size(); ++i) {
     const bool ghost = next.books[i].style == BookStyle::ghost;
     if (ghost && touched(next_footprint.books[i]))

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "files/checksums.h"
 #include "film/film_data.h"
 #include "image/png.h"
 #include "render/renderer.h"
@@ -358,6 +359,18 @@ TEST_F(Shoot, UpToDateMeansMadeOfThisScriptInThisWayAndWhole) {
     write_text(site / name, text);
     EXPECT_TRUE(up_to_date()) << name;
   }
+}
+
+TEST_F(Shoot, AFilmByAnotherOpenGlIsNotUpToDate) {
+  shoot_it();
+  std::string data = read_text(site / "tumbling.json");
+  std::string list = read_text(site / checksums_name);
+  const std::string digest = sha256(data);
+  data.replace(data.find("\"OpenGL\": \"") + 11, 0, "Older ");
+  list.replace(list.find(digest), digest.size(), sha256(data));
+  write_text(site / "tumbling.json", data);
+  write_text(site / checksums_name, list);
+  EXPECT_FALSE(up_to_date());
 }
 
 // A scratch copy of what is drawn from: shaders and textures count, their sources do not.
