@@ -101,6 +101,7 @@ void spring_precision(Draft& draft);
 void stability(Draft& draft);
 void explosion(Draft& draft);
 void instability(Draft& draft);
+void hard_cases(Draft& draft);
 void frame_costs(Draft& draft);
 void claims(Draft& draft);
 

@@ -20,20 +20,6 @@ BookOptions book(const Solver& solver, double kick) {
   return options_for(solver, kicked(spin * body_of(BookOptions()).I_B.x(), kick));
 }
 
-// All rigid solvers, the paper's springs, and undamped springs by everything better.
-std::vector<Solver> contenders() {
-  std::vector<Solver> all = rigid_solvers();
-  all.push_back(papers_springs);
-  for (const Solver& solver : spring_solvers()) {
-    if (solver.integrator != Integrator::explicit_euler) all.push_back(solver);
-  }
-  return all;
-}
-
-std::string title_of(const Solver& solver) {
-  return (solver.method == Method::springs && !solver.as_in_the_paper ? "springs, " : "") + name_of(solver);
-}
-
 // Calls look(t, L_B) each 0.1 until it says false or the time is over. L_B: in the axes of the corners, whatever the book.
 template <class Look>
 void follow(const Solver& solver, const BookOptions& options, double T, Look&& look) {

@@ -22,13 +22,11 @@ struct Section {
   void (*write)(Draft&);
 };
 
-constexpr std::array sections{Section{"speed against error", work_precision},
-                              Section{"the springs' speed against error", spring_precision},
-                              Section{"step limits of the springs", stability},
-                              Section{"time to explosion", explosion},
-                              Section{"the instability", instability},
-                              Section{"cost of a film's frame", frame_costs},
-                              Section{"the paper's claims", claims}};
+constexpr std::array sections{
+    Section{"speed against error", work_precision},   Section{"the springs' speed against error", spring_precision},
+    Section{"step limits of the springs", stability}, Section{"time to explosion", explosion},
+    Section{"the instability", instability},          Section{"hard cases", hard_cases},
+    Section{"cost of a film's frame", frame_costs},   Section{"the paper's claims", claims}};
 
 // Where and from what the report was made: so that its times mean something elsewhere.
 nlohmann::ordered_json this_machine(const std::string& commit) {

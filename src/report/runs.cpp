@@ -62,6 +62,19 @@ std::vector<Solver> odeint_solvers(Method method) {
   return solvers;
 }
 
+std::vector<Solver> contenders() {
+  std::vector<Solver> all = rigid_solvers();
+  all.push_back(papers_springs);
+  for (const Solver& solver : spring_solvers()) {
+    if (solver.integrator != Integrator::explicit_euler) all.push_back(solver);
+  }
+  return all;
+}
+
+std::string title_of(const Solver& solver) {
+  return (solver.method == Method::springs && !solver.as_in_the_paper ? "springs, " : "") + name_of(solver);
+}
+
 int evaluations_a_step(Integrator integrator) {
   switch (integrator) {
     case Integrator::rk4:

@@ -37,6 +37,9 @@ inline constexpr Solver papers_springs{Method::springs, Integrator::explicit_eul
 [[nodiscard]] std::vector<Solver> rigid_solvers();   // the exact one, and all that the table of integrators has
 [[nodiscard]] std::vector<Solver> spring_solvers();  // undamped
 [[nodiscard]] std::vector<Solver> odeint_solvers(Method method);
+// All rigid ones, the paper's springs, and undamped springs by everything better, with names that tell them apart.
+[[nodiscard]] std::vector<Solver> contenders();
+[[nodiscard]] std::string title_of(const Solver& solver);
 // The solver's integrator; springs undamped and not normalized, but the paper's.
 [[nodiscard]] BookOptions options_for(const Solver& solver, BookOptions options);
 

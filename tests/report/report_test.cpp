@@ -32,8 +32,7 @@ std::vector<std::string> names_of(std::vector<Solver> solvers, Method odeint) {
 const std::vector<std::string> rigid_methods = names_of(rigid_solvers(), Method::quaternion);
 const std::vector<std::string> spring_methods = names_of(spring_solvers(), Method::springs);
 
-// The paper's springs stand in the place of explicit Euler's.
-const std::size_t contenders = rigid_solvers().size() + spring_solvers().size();
+const std::size_t contenders = bookspin::contenders().size();
 
 // Made once for all tests.
 struct Report : testing::Test {
@@ -97,8 +96,8 @@ TEST_F(Report, ThePageShowsOnlyWhatIsThere) {
 }
 
 TEST_F(Report, SaysHowFarItIs) {
-  EXPECT_THAT(said, HasSubstr("1 of 7: speed against error, case a\n"));
-  EXPECT_THAT(said, HasSubstr("7 of 7: the paper's claims\n"));
+  EXPECT_THAT(said, HasSubstr("1 of 8: speed against error, case a\n"));
+  EXPECT_THAT(said, HasSubstr("8 of 8: the paper's claims\n"));
 }
 
 TEST_F(Report, SaysWhereItWasMade) {
@@ -211,6 +210,22 @@ TEST_F(Report, FlipsComeAtTheirTimes) {
     }
   }
   EXPECT_EQ(flips, 2 * (1 + contenders));  // of two kicks, with theory
+}
+
+TEST_F(Report, EveryMethodIsTriedOnEveryHardCase) {
+  std::map<std::string, int> outcomes;
+  for (const Json& row : json["hard_cases"]) {
+    EXPECT_EQ(row.size(), 1 + contenders);
+    EXPECT_EQ(row["exact"], "right") << row;
+    for (const auto& [method, outcome] : row.items()) {
+      if (method != "case") ++outcomes[outcome];
+    }
+  }
+  ASSERT_EQ(json["hard_cases"].size(), 12U);
+  EXPECT_EQ(json["hard_cases"][0]["dmv"], "right");
+  EXPECT_EQ(json["hard_cases"][1]["rk4"], "wrong, shows it");
+  EXPECT_GT(outcomes["wrong in silence"], 0);
+  EXPECT_EQ(outcomes.size(), 3U);
 }
 
 TEST_F(Report, NormalizationHidesTheLossOfAngularMomentum) {
