@@ -103,7 +103,9 @@ TEST_F(Cli, ListsTheFiguresOfTheProjectAndOfAFolder) {
 }
 
 TEST_F(Cli, WarnsOnceOfWhatTheFontLacks) {
-  write_text(scratch / "box.toml", "title = \"字 is a box, 字\"\n[clip]\nframes = 2\n[[book]]\nname = \"漢\"\n");
+  write_text(
+      scratch / "box.toml",
+      "title = \"字 is a box, 字\"\n[clip]\nframes = 2\n[[book]]\nname = \"漢\"\nangular_velocity = [1, 0, 0]\n");
   for (const char* command : {"check box.toml", "render box.toml -o films --size 64x36"}) {
     const Said said = (*this)(command);
     EXPECT_EQ(said.exit_code, 0) << said.err;

@@ -144,12 +144,12 @@ const std::vector<Cause>& causes() {
       {"euler_loses_the_book", {"book.0.jiggle=0.1"}, {"where the true one"}},
       {"normalization_hides", {"book.0.normalize=false"}, {"the energy looks right"}},
       {"normalization_hides", {"book.0.damping=1"}, {"while nine tenths"}},
-      {"separatrix", {"book.0.jiggle=1e-1"}, {"kick 1e-2"}},
+      {"separatrix", {"book.0.jiggle=1e-1"}, {"kick 10⁻²"}},
       {"separatrix", {"book.0.jiggle=1e-4"}, {"past it at t = 88"}},
-      {"separatrix", {"book.1.jiggle=1e-2"}, {"kick 1e-4"}},
-      {"separatrix", {"book.1.jiggle=1e-6"}, {"past it at frame 387"}},
-      {"separatrix", {"book.2.jiggle=1e-4"}, {"kick 1e-6"}},
-      {"separatrix", {"book.2.jiggle=1e-8"}, {"past it at frame 555"}}};
+      {"separatrix", {"book.1.jiggle=1e-2"}, {"kick 10⁻⁴"}},
+      {"separatrix", {"book.1.jiggle=1e-6"}, {"past it at t = 154.8"}},
+      {"separatrix", {"book.2.jiggle=1e-4"}, {"kick 10⁻⁶"}},
+      {"separatrix", {"book.2.jiggle=1e-8"}, {"past it at t = 222"}}};
   return table;
 }
 
