@@ -24,10 +24,22 @@ namespace fs = std::filesystem;
 
 const fs::path project = BOOKSPIN_SOURCE_DIR;
 
-double peak_mb() {
+rusage used_by(int whom) {
   rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+  getrusage(whom, &usage);
+  return usage;
+}
+
+double peak_mb(int whom) {
+  return static_cast<double>(used_by(whom).ru_maxrss) / 1024.0;
+}
+
+double children_seconds() {
+  const rusage usage = used_by(RUSAGE_CHILDREN);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
 void stages(const fs::path& script, const fs::path& folder) {
@@ -40,7 +52,7 @@ void stages(const fs::path& script, const fs::path& folder) {
   fmt::print("  together    {:7.3f}   (floor: 10)\n", together);
   fmt::print("  encoding    {:7.3f}\n", cost.encoding);
   fmt::print("  a frame     {:7.3f}\n", together + cost.encoding);
-  fmt::print("peak memory of this film {:.0f} MB (floor: 400)\n", peak_mb());
+  fmt::print("peak memory of this film {:.0f} MB (floor: 400)\n", peak_mb(RUSAGE_SELF));
 }
 
 void whole_job(const fs::path& folder) {
@@ -51,20 +63,19 @@ void whole_job(const fs::path& folder) {
   std::sort(films.begin(), films.end(), [](const auto& a, const auto& b) { return a.file < b.file; });
   const int workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   Progress progress;
-  const double cpu = cpu_ns();
   const auto start = std::chrono::steady_clock::now();
   const std::vector<FilmOutcome> outcomes = shoot_all(films, folder, project, workers, progress);
   for (std::size_t i = 0; i < films.size(); ++i) {
     if (!outcomes[i].error.empty()) fmt::print("{}: {}\n", films[i].file.string(), outcomes[i].error);
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const double cpu_seconds = (cpu_ns() - cpu) / 1e9;
+  const double cpu_seconds = children_seconds();
   const double frames = static_cast<double>(progress.frames_drawn.load());
   fmt::print("whole job: {} films, {:.0f} frames in {:.1f} s by {} workers: {:.0f} frames/s (floor on 2 cores: 80)\n",
              films.size(), frames, seconds, workers, frames / seconds);
   fmt::print("  CPU time {:.1f} s: with every core to itself {:.0f} frames/s\n", cpu_seconds,
              frames * workers / cpu_seconds);
-  fmt::print("  peak memory {:.0f} MB\n", peak_mb());
+  fmt::print("  peak memory of a film {:.0f} MB\n", peak_mb(RUSAGE_CHILDREN));
 }
 
 }  // namespace

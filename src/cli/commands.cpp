@@ -157,9 +157,10 @@ int list_scenes(const Options& options) {
 }
 
 int render_scenes(const Options& options) {
+  const Interrupts interrupts;
   const fs::path folder = folder_or(options.folder, "site");
   const fs::path assets = find_assets(options.assets);
-  const int jobs = affordable_jobs(options.jobs > 0 ? options.jobs : cores(), options.width, options.height);
+  require_room(options.width, options.height);
   const FilmSettings settings{options.width,     options.height,    options.first_frame,
                               options.end_frame, options.overrides, fingerprint_of_drawing(assets)};
   std::vector<Film> films;
@@ -190,7 +191,10 @@ int render_scenes(const Options& options) {
     double seconds = 0.0;
     {
       const Watch watch(progress, films);
-      outcomes = shoot_all(films, folder, assets, jobs, progress, options.stop);
+      outcomes = shoot_all(films, folder, assets, options.jobs > 0 ? options.jobs : cores(), progress, [&] {
+        watch.print_line();
+        return Interrupts::last_signal() == 0;
+      });
       seconds = watch.seconds();
     }
     for (std::size_t i = 0; i < films.size(); ++i) {
@@ -218,7 +222,10 @@ int render_scenes(const Options& options) {
   }
   if (up_to_date > 0) print(fmt::format("{} up to date in {}\n", counted(up_to_date, "film"), folder.string()));
   if (!not_made.empty()) print(fmt::format("not made: {}\n", fmt::join(not_made, ", ")));
-  if (options.stop.stop_requested()) throw Stopped();
+  if (Interrupts::last_signal() != 0) {
+    complain(Stopped().what());
+    return 128 + Interrupts::last_signal();
+  }
   return good ? 0 : 1;
 }
 
@@ -230,7 +237,7 @@ int draw_scene_frame(const Options& options) {
     throw std::invalid_argument(fmt::format("{}: found frame {}; allowed: 0 to {}", options.scenes.front(),
                                             options.frame, scene.clip.frames - 1));
   }
-  (void)affordable_jobs(1, options.width, options.height);
+  require_room(options.width, options.height);
   announce(options.scenes.front(), scene);
   Part picture(options.output);
   write_png(picture, draw_frame(scene, options.frame, options.width, options.height, assets, options.stop));

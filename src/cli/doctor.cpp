@@ -51,7 +51,7 @@ std::string fonts() {
 }  // namespace
 
 int examine(const Options& options) {
-  (void)affordable_jobs(1, options.width, options.height);
+  require_room(options.width, options.height);
   print(version_text() + "\n\n");
   const bool osmesa = passes({"OSMesa", [] { return describe_opengl(ContextKind::osmesa); },
                               "where EGL is there it draws the same films; package libosmesa6"});

@@ -13,11 +13,10 @@
 namespace bookspin {
 namespace {
 
-// Largest sizes of the process, measured with Mesa 22.3 from 320x180 to 4096x4096, by 1 to 4 workers, and a tenth more.
+// Largest sizes of a process that makes a film, measured with Mesa 22.3 from 320x180 to 4096x4096, and a tenth more.
 constexpr double megabyte = 1e6;
-constexpr double bytes_of_the_program = 600 * megabyte;
-constexpr double bytes_of_a_worker = 80 * megabyte;
-constexpr double bytes_of_a_pixel = 125;  // of each worker
+constexpr double bytes_of_the_program = 680 * megabyte;
+constexpr double bytes_of_a_pixel = 125;
 
 // Measured on one core: docs/NUMBERS.md.
 constexpr double seconds_of_a_frame = 3e-3;
@@ -39,19 +38,15 @@ double seconds_of_a_step(Scene scene) {
 
 }  // namespace
 
-int affordable_jobs(int jobs, int width, int height) {
+void require_room(int width, int height) {
   rlimit limit{};
-  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return jobs;
-  const double one = bytes_of_a_worker + bytes_of_a_pixel * width * height;
-  const double room = static_cast<double>(limit.rlim_cur) - bytes_of_the_program;
-  if (room < one) {
-    throw std::runtime_error(fmt::format(
-        "memory is limited to {:.0f} MB (ulimit -v), and pictures of {}x{} need {:.0f} MB: raise the limit, or "
-        "choose a smaller --size; check, list and trajectory need less",
-        static_cast<double>(limit.rlim_cur) / megabyte, width, height,
-        std::ceil((bytes_of_the_program + one) / megabyte)));
-  }
-  return static_cast<int>(std::min<double>(jobs, room / one));
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
+  const double needed = bytes_of_the_program + bytes_of_a_pixel * width * height;
+  if (static_cast<double>(limit.rlim_cur) >= needed) return;
+  throw std::runtime_error(fmt::format(
+      "memory is limited to {:.0f} MB (ulimit -v), and pictures of {}x{} need {:.0f} MB: raise the limit, or "
+      "choose a smaller --size; check, list and trajectory need less",
+      static_cast<double>(limit.rlim_cur) / megabyte, width, height, std::ceil(needed / megabyte)));
 }
 
 std::string announcement(const Scene& scene, const std::optional<Drawing>& drawing) {

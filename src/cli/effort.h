@@ -14,9 +14,8 @@ struct Drawing {
   int height = 0;  // pixels
 };
 
-// As many of the `jobs` as the process's address space has room for (ulimit -v): Mesa does not survive when it ends.
-// Throws std::runtime_error when there is none for one.
-[[nodiscard]] int affordable_jobs(int jobs, int width, int height);
+// Throws std::runtime_error when the address space (ulimit -v) has no room to draw: Mesa does not survive when it ends.
+void require_room(int width, int height);
 
 // "900 frames of 1280x720, 15.0 s long; 27000 steps; about 2 min to make", of a scene that is simulated and perhaps
 // drawn; nothing when that takes less than a minute.

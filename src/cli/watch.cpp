@@ -4,6 +4,7 @@
 #include <pthread.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <condition_variable>
@@ -15,6 +16,8 @@
 namespace bookspin {
 namespace {
 
+constexpr std::array stop_signals{SIGINT, SIGTERM, SIGHUP};
+constexpr int last_straw = 3;     // some senders signal twice: process and group
 constexpr int wake_up = SIGUSR2;  // ends the listener's wait
 
 // Waits for signals in a thread of its own: they are blocked in all others, those that the command starts included.
@@ -23,7 +26,7 @@ class Listener {
   Listener() {
     sigemptyset(&signals_);
     sigaddset(&signals_, wake_up);
-    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    for (const int number : stop_signals) {
       struct sigaction now {};
       sigaction(number, nullptr, &now);
       if (now.sa_handler != SIG_IGN) sigaddset(&signals_, number);
@@ -48,7 +51,7 @@ class Listener {
     for (int count = 1; sigwait(&signals_, &number) == 0 && number != wake_up; ++count) {
       last_signal_ = number;
       source_.request_stop();
-      if (count < 3) continue;  // some senders signal twice: process and group
+      if (count < last_straw) continue;
       pthread_sigmask(SIG_UNBLOCK, &signals_, nullptr);
       std::raise(number);
     }
@@ -60,6 +63,17 @@ class Listener {
   std::stop_source source_;
   std::jthread thread_;
 };
+
+volatile std::sig_atomic_t interrupts = 0;  // a handler reaches nothing else
+volatile std::sig_atomic_t last_interrupt = 0;
+
+void count_interrupt(int number) {
+  last_interrupt = number;
+  interrupts = interrupts + 1;
+  if (interrupts < last_straw) return;
+  std::signal(number, SIG_DFL);
+  std::raise(number);
+}
 
 }  // namespace
 
@@ -74,24 +88,46 @@ int stoppable(const std::function<int(const std::stop_token&)>& command) {
   }
 }
 
+Interrupts::Interrupts() {
+  interrupts = 0;
+  last_interrupt = 0;
+  struct sigaction action {};
+  action.sa_handler = count_interrupt;
+  action.sa_flags = SA_RESTART;  // a script may come through a pipe
+  for (const int number : stop_signals) {
+    struct sigaction now {};
+    sigaction(number, nullptr, &now);
+    if (now.sa_handler == SIG_IGN) continue;
+    before_.emplace_back(number, now);
+    sigaction(number, &action, nullptr);
+  }
+}
+
+Interrupts::~Interrupts() {
+  for (const auto& [number, action] : before_) sigaction(number, &action, nullptr);
+}
+
+int Interrupts::last_signal() {
+  return last_interrupt;
+}
+
 Watch::Watch(const Progress& progress, std::span<const Film> films)
-    : progress_(progress), films_(films.size()), start_(std::chrono::steady_clock::now()) {
+    : progress_(progress),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      films_(films.size()),
+      start_(std::chrono::steady_clock::now()) {
   for (const Film& film : films) {
     frames_ += film.frames();
     book_frames_ += static_cast<long>(film.scene.books.size()) * film.scene.clip.frames;
   }
-  start();
 }
 
 Watch::Watch(const Progress& progress, const Scene& scene)
     : progress_(progress),
+      terminal_(isatty(STDERR_FILENO) == 1),
       book_frames_(static_cast<long>(scene.books.size()) * scene.clip.frames),
       start_(std::chrono::steady_clock::now()) {
-  start();
-}
-
-void Watch::start() {
-  if (isatty(STDERR_FILENO) == 0) return;
+  if (!terminal_) return;
   thread_ = std::jthread([this](const std::stop_token& token) {
     std::mutex mutex;
     std::condition_variable_any end;
@@ -99,8 +135,12 @@ void Watch::start() {
     do {
       print_line();
     } while (!end.wait_for(lock, token, std::chrono::milliseconds(100), [&] { return token.stop_requested(); }));
-    std::fputs("\r\x1b[K", stderr);
   });
+}
+
+Watch::~Watch() {
+  thread_ = {};
+  if (terminal_) std::fputs("\r\x1b[K", stderr);
 }
 
 double Watch::seconds() const {
@@ -109,6 +149,7 @@ double Watch::seconds() const {
 
 // The terminal may be gone, or memory short: a line that cannot be written is dropped.
 void Watch::print_line() const try {
+  if (!terminal_) return;
   const long simulated = progress_.frames_simulated;
   const long drawn = progress_.frames_drawn;
   std::string line = fmt::format("{} % simulated", 100 * simulated / book_frames_);

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <chrono>
+#include <csignal>
 #include <functional>
 #include <span>
 #include <stop_token>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "film/shoot.h"
 
@@ -16,20 +19,36 @@ namespace bookspin {
 // after a signal. What it throws otherwise passes.
 int stoppable(const std::function<int(const std::stop_token&)>& command);
 
+// The same signals, counted without a thread, for a command that forks.
+class Interrupts {
+ public:
+  Interrupts();
+  ~Interrupts();
+  Interrupts(const Interrupts&) = delete;
+  Interrupts& operator=(const Interrupts&) = delete;
+
+  [[nodiscard]] static int last_signal();  // 0: none
+
+ private:
+  std::vector<std::pair<int, struct sigaction>> before_;
+};
+
 // A progress line with the time left, on standard error when that is a terminal: of films, or of a scene that is
-// simulated alone.
+// simulated alone, which a thread then prints.
 class Watch {
  public:
   Watch(const Progress& progress, std::span<const Film> films);
   Watch(const Progress& progress, const Scene& scene);
+  ~Watch();
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
 
+  void print_line() const;
   [[nodiscard]] double seconds() const;  // since the start
 
  private:
-  void start();
-  void print_line() const;
-
   const Progress& progress_;
+  bool terminal_;
   std::size_t films_ = 0;
   long frames_ = 0;       // to be drawn
   long book_frames_ = 0;  // to be simulated

@@ -10,6 +10,7 @@
 
 #include "files/checksums.h"
 #include "files/files.h"
+#include "film/process.h"
 #include "render/renderer.h"
 #include "scene/scene_file.h"
 
@@ -149,7 +150,7 @@ bool is_up_to_date(const Film& film, const Products& products) try {
     if (!found.contains(key) || found[key] != value) return false;
   }
   // Last, as it costs a context: the same for all films of a call.
-  static const std::string opengl = describe_opengl(ContextKind::any);
+  static const std::string opengl = Process([](const auto&) { return describe_opengl(ContextKind::any); }).result();
   return found.contains("versions") && found["versions"].contains("OpenGL") && found["versions"]["OpenGL"] == opengl;
 } catch (const std::runtime_error&) {
   return false;  // a product cannot be read, or there is no OpenGL: then drawing says why

@@ -1,14 +1,22 @@
 #include "film/shoot.h"
 
 #include <fmt/format.h>
+#include <poll.h>
+#include <sys/mman.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <new>
 #include <numeric>
+#include <sstream>
 #include <stdexcept>
-#include <thread>
 
 #include "files/part.h"
 #include "film/film_data.h"
+#include "film/process.h"
 #include "film/storyboard.h"
 #include "image/png.h"
 #include "video/mp4_writer.h"
@@ -42,6 +50,68 @@ struct PartsOfFilm {
     if (!film.is_still()) mp4.emplace(names.film, NamedBy::program);
   }
 };
+
+// In memory that processes share.
+template <typename T>
+class Shared {
+ public:
+  Shared() : memory_(mmap(nullptr, sizeof(T), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
+    if (memory_ == MAP_FAILED) throw std::runtime_error(fmt::format("mmap: {}", std::strerror(errno)));
+    object_ = new (memory_) T;
+  }
+  ~Shared() { munmap(memory_, sizeof(T)); }
+  Shared(const Shared&) = delete;
+  Shared& operator=(const Shared&) = delete;
+
+  T& operator*() const { return *object_; }
+  T* operator->() const { return object_; }
+
+ private:
+  void* memory_;
+  T* object_ = nullptr;
+};
+
+constexpr char end_of_field = '\0';
+
+std::string text_of(const FilmReceipt& receipt) {
+  std::string text;
+  const auto put = [&](const auto& field) { text += fmt::format("{}{}", field, end_of_field); };
+  put(receipt.product.string());
+  put(receipt.bytes);
+  put(receipt.frames);
+  for (const Verdict& v : receipt.verdicts) {
+    put(v.says);
+    put(static_cast<int>(v.quantity));
+    put(v.text);
+    put(int{v.met});
+    put(v.found);
+    put(v.frame);
+  }
+  return text;
+}
+
+FilmReceipt receipt_of(const std::string& text) {
+  std::istringstream in(text);
+  const auto field = [&in] {
+    std::string value;
+    std::getline(in, value, end_of_field);
+    return value;
+  };
+  FilmReceipt receipt;
+  receipt.product = field();
+  receipt.bytes = std::stoull(field());
+  receipt.frames = std::stoi(field());
+  while (in.peek() != std::istringstream::traits_type::eof()) {
+    Verdict& v = receipt.verdicts.emplace_back();
+    v.says = field();
+    v.quantity = static_cast<Q>(std::stoi(field()));
+    v.text = field();
+    v.met = field() == "1";
+    v.found = std::strtod(field().c_str(), nullptr);
+    v.frame = std::stoi(field());
+  }
+  return receipt;
+}
 
 }  // namespace
 
@@ -89,34 +159,63 @@ FilmReceipt shoot(const Film& film, const fs::path& folder, Renderer& renderer, 
 }
 
 std::vector<FilmOutcome> shoot_all(std::span<const Film> films, const fs::path& folder, const fs::path& assets,
-                                   int workers, Progress& progress, const std::stop_token& stop) {
-  std::vector<FilmOutcome> outcomes(films.size());
-  const auto length = [&films](std::size_t i) {
-    return static_cast<std::size_t>(films[i].frames()) * films[i].scene.books.size();
+                                   int workers, Progress& progress, const std::function<bool()>& go_on) {
+  const Shared<Progress> shared;
+  const auto work = [&](const Film& film, const std::stop_token& stop) -> std::string {
+    try {
+      Renderer renderer(film.width, film.height, assets);
+      return text_of(shoot(film, folder, renderer, *shared, stop));
+    } catch (const Stopped&) {
+      return "";
+    }
+  };
+  const auto cost = [&films](std::size_t i) {
+    return static_cast<std::size_t>(films[i].frames()) * (films[i].scene.books.size() + 2);
   };
   std::vector<std::size_t> queue(films.size());
   std::iota(queue.begin(), queue.end(), 0U);
-  std::stable_sort(queue.begin(), queue.end(), [&](std::size_t a, std::size_t b) { return length(a) > length(b); });
+  std::stable_sort(queue.begin(), queue.end(), [&](std::size_t a, std::size_t b) { return cost(a) < cost(b); });
 
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    std::optional<Renderer> renderer;
-    for (std::size_t i = next++; i < queue.size() && !stop.stop_requested(); i = next++) {
-      const Film& film = films[queue[i]];
-      FilmOutcome& outcome = outcomes[queue[i]];
+  std::vector<FilmOutcome> outcomes(films.size());
+  std::map<std::size_t, Process> running;  // by film
+  bool stopping = false;
+  const auto look = [&] {
+    progress.frames_simulated = shared->frames_simulated.load();
+    progress.frames_drawn = shared->frames_drawn.load();
+    progress.films_done = shared->films_done.load();
+    if (stopping || go_on()) return;
+    stopping = true;
+    queue.clear();
+    for (const auto& [i, process] : running) process.ask_to_stop();
+  };
+  for (look(); !queue.empty() || !running.empty(); look()) {
+    while (!queue.empty() && running.size() < static_cast<std::size_t>(workers)) {
+      const std::size_t i = queue.back();
+      queue.pop_back();
       try {
-        if (!renderer) renderer.emplace(film.width, film.height, assets);
-        outcome.receipt = shoot(film, folder, *renderer, progress, stop);
-      } catch (const Stopped&) {
-        return;
-      } catch (const std::exception& error) {
-        outcome.error = error.what();
+        running.try_emplace(i, [&, i](const std::stop_token& stop) { return work(films[i], stop); });
+      } catch (const std::runtime_error& error) {
+        outcomes[i].error = error.what();
       }
     }
-  };
-  std::vector<std::jthread> threads;
-  for (int i = 0; i < std::min<int>(workers, static_cast<int>(films.size())); ++i) threads.emplace_back(work);
-  threads.clear();  // joins
+    std::vector<pollfd> pipes;
+    for (const auto& [i, process] : running) pipes.push_back({process.descriptor(), POLLIN, 0});
+    if (poll(pipes.data(), pipes.size(), 100) <= 0) continue;
+    auto pipe = pipes.begin();
+    for (auto at = running.begin(); at != running.end(); ++pipe) {
+      auto& [i, process] = *at;
+      if (pipe->revents == 0 || process.read()) {
+        ++at;
+        continue;
+      }
+      try {
+        if (const std::string receipt = process.result(); !receipt.empty()) outcomes[i].receipt = receipt_of(receipt);
+      } catch (const std::runtime_error& error) {
+        if (!stopping) outcomes[i].error = error.what();
+      }
+      at = running.erase(at);
+    }
+  }
   return outcomes;
 }
 

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -50,11 +51,11 @@ struct FilmOutcome {
   std::string error;
 };
 
-// All films, the longest first, by `workers` threads, each with a renderer of its own. All have one size. Outcomes in
-// the order of the films.
-[[nodiscard]] std::vector<FilmOutcome> shoot_all(std::span<const Film> films, const std::filesystem::path& folder,
-                                                 const std::filesystem::path& assets, int workers, Progress& progress,
-                                                 const std::stop_token& stop = {});
+// All films, the longest first, each in a process of its own, `workers` at a time: one that dies costs its film. Outcomes
+// in the order of the films. `go_on` is called ten times a second, with the progress up to date; when it says no, all stop.
+[[nodiscard]] std::vector<FilmOutcome> shoot_all(
+    std::span<const Film> films, const std::filesystem::path& folder, const std::filesystem::path& assets, int workers,
+    Progress& progress, const std::function<bool()>& go_on = [] { return true; });
 
 // One frame of a scene, alone.
 [[nodiscard]] Image draw_frame(const Scene& scene, int frame, int width, int height,

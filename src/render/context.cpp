@@ -151,11 +151,13 @@ class EglContext {
 };
 
 // Mesa reads these once, and setenv must not run beside another thread's getenv: once a process, before any context.
-void ask_for_software_on_the_calling_thread() {
+void set_up_mesa() {
   static std::once_flag once;
   std::call_once(once, [] {
     setenv("LP_NUM_THREADS", "0", 0);
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
+    // What another program, or another setting, has left in that cache was seen to be drawn with: wrong pictures.
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
     setenv("EGL_LOG_LEVEL", "fatal", 0);  // what fails is said by whoever asked
   });
 }
@@ -173,7 +175,7 @@ struct Context::Library {
 };
 
 Context::Context(ContextKind kind) : library_(std::make_unique<Library>()) {
-  ask_for_software_on_the_calling_thread();
+  set_up_mesa();
   const std::scoped_lock lock(creation_mutex());
   std::string reasons;
   const auto create = [&]<typename Kind>(std::in_place_type_t<Kind>) {

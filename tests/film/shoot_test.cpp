@@ -7,12 +7,14 @@
 #include <sys/stat.h>
 
 #include <chrono>
+#include <csignal>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
 
 #include "files/checksums.h"
 #include "film/film_data.h"
+#include "film/process.h"
 #include "image/png.h"
 #include "render/renderer.h"
 #include "scene/scene_file.h"
@@ -90,7 +92,8 @@ struct Shoot : testing::Test {
 
 TEST_F(Shoot, LeavesFilmPosterAndData) {
   const FilmReceipt receipt = shoot_it();
-  EXPECT_EQ(files_in(site), (std::vector<std::string>{"bookspin.sha256", "tumbling.json", "tumbling.mp4", "tumbling.png"}));
+  EXPECT_EQ(files_in(site),
+            (std::vector<std::string>{"bookspin.sha256", "tumbling.json", "tumbling.mp4", "tumbling.png"}));
   EXPECT_EQ(receipt.product, site / "tumbling.mp4");
   EXPECT_EQ(receipt.bytes, fs::file_size(site / "tumbling.mp4"));
   const auto data = nlohmann::json::parse(read_text(site / "tumbling.json"));
@@ -169,9 +172,9 @@ TEST_F(Shoot, TwiceTheSameBytesWhateverTheNumberOfWorkers) {
   EXPECT_EQ(made.at("tumbling.mp4"), made.at("other.mp4"));
   for (const FilmOutcome& outcome : shoot_all(films, site, project, 1, progress)) EXPECT_EQ(outcome.error, "");
   EXPECT_EQ(products_there(), made);
-  EXPECT_EQ(progress.films_done, 4);
-  EXPECT_EQ(progress.frames_simulated, 4 * 24);
-  EXPECT_EQ(progress.frames_drawn, 4 * 24);
+  EXPECT_EQ(progress.films_done, 2);
+  EXPECT_EQ(progress.frames_simulated, 2 * 24);
+  EXPECT_EQ(progress.frames_drawn, 2 * 24);
 }
 
 // The script is saved anew, or gone, while its film is in the making.
@@ -212,7 +215,7 @@ TEST_F(Shoot, AStoppedFilmLeavesTheLastGoodOne) {
   EXPECT_EQ(products_there(), made);
 
   const std::vector<Film> films{load_film(script, small())};
-  const std::vector<FilmOutcome> outcomes = shoot_all(films, site, project, 1, progress, source.get_token());
+  const std::vector<FilmOutcome> outcomes = shoot_all(films, site, project, 1, progress, [] { return false; });
   EXPECT_FALSE(outcomes[0].receipt.has_value());
   EXPECT_EQ(outcomes[0].error, "");
   EXPECT_EQ(products_there(), made);
@@ -255,7 +258,8 @@ TEST_F(Shoot, NamesAsLongAsAFileMayHave) {
   FilmSettings settings = small();
   settings.end_frame = 1;
   shoot_it(load_film(scratch / (longest + ".toml"), settings));
-  EXPECT_EQ(files_in(site), (std::vector<std::string>{"bookspin.sha256", longest + ".json", longest + ".mp4", longest + ".png"}));
+  EXPECT_EQ(files_in(site),
+            (std::vector<std::string>{"bookspin.sha256", longest + ".json", longest + ".mp4", longest + ".png"}));
 
   const std::string too_long(251, 'n');  // "NAME.json" would have 256 bytes
   write_text(scratch / (too_long + ".tml"), tumbling);
@@ -317,6 +321,53 @@ TEST_F(Shoot, OneBadFilmDoesNotStopTheOthers) {
   EXPECT_EQ(outcomes[1].error, "");
   EXPECT_FALSE(fs::exists(site / "tumbling.json"));  // the data says that a film is complete
   EXPECT_TRUE(fs::exists(site / "other.mp4"));
+}
+
+// As by the system when memory runs out. The name of a part says which process writes it.
+TEST_F(Shoot, AWorkerThatIsKilledCostsItsFilmOnly) {
+  FilmSettings settings = small();
+  settings.overrides = {"clip.frames=100000", "clip.substeps=1"};
+  std::vector<Film> films{load_film(script, settings)};
+  write_text(scratch / "other.toml", tumbling);
+  films.push_back(load_film(scratch / "other.toml", small()));
+  bool killed = false;
+  const auto kill_the_first = [&] {
+    for (const std::string& name : killed || !fs::exists(site) ? std::vector<std::string>{} : files_in(site)) {
+      killed = kill(std::stoi(name.substr(std::string(".bookspin-").size())), SIGKILL) == 0;
+    }
+    return true;
+  };
+  const std::vector<FilmOutcome> outcomes = shoot_all(films, site, project, 1, progress, kill_the_first);
+  EXPECT_FALSE(outcomes[0].receipt.has_value());
+  EXPECT_THAT(outcomes[0].error, testing::HasSubstr("ended by signal 9"));
+  ASSERT_TRUE(outcomes[1].receipt.has_value()) << outcomes[1].error;
+  EXPECT_EQ(outcomes[1].receipt->frames, 24);
+  ASSERT_EQ(outcomes[1].receipt->verdicts.size(), 1U);
+  EXPECT_EQ(outcomes[1].receipt->verdicts[0].text, shoot_it().verdicts[0].text);
+  for (const std::string& name : files_in(site)) EXPECT_FALSE(name.starts_with(".bookspin-")) << name;
+}
+
+TEST(Process, SaysWhatItsWorkSaysOrWhyNot) {
+  EXPECT_EQ(Process([](const auto&) { return std::string(100000, 'x'); }).result(), std::string(100000, 'x'));
+  const auto error_of = [](const auto& work) -> std::string {
+    try {
+      return "returned " + Process(work).result();
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(error_of([](const auto&) -> std::string { throw std::invalid_argument("no such book"); }), "no such book");
+  EXPECT_THAT(error_of([](const auto&) -> std::string {
+                std::raise(SIGSEGV);
+                return "";
+              }),
+              testing::StartsWith("its process "));  // a sanitizer ends it in its own way
+  Process waits([](const std::stop_token& stop) {
+    while (!stop.stop_requested()) std::this_thread::yield();
+    return std::string("stopped");
+  });
+  waits.ask_to_stop();
+  EXPECT_EQ(waits.result(), "stopped");
 }
 
 TEST_F(Shoot, AnUnmetExpectationIsFilmedAndReported) {
