@@ -29,9 +29,10 @@ void check_complete(const GladGLContext& gl, const char* what) {
 
 FrameBuffer::FrameBuffer(const GladGLContext& gl, int width, int height)
     : gl_(&gl),
+      width_(width),
+      height_(height),
       samples_(make_framebuffer(gl)),
       sample_color_(storage(gl, samples, GL_RGBA8, width, height)),
-      sample_depth_(storage(gl, samples, GL_DEPTH_COMPONENT24, width, height)),
       pixels_(make_framebuffer(gl)),
       pixel_color_(storage(gl, 0, GL_RGBA8, width, height)) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, pixels_.id());
@@ -39,7 +40,6 @@ FrameBuffer::FrameBuffer(const GladGLContext& gl, int width, int height)
   check_complete(gl, "resolved");
   gl.BindFramebuffer(GL_FRAMEBUFFER, samples_.id());
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, sample_color_.id());
-  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, sample_depth_.id());
   check_complete(gl, "multisample");
 
   gl.Viewport(0, 0, width, height);
@@ -53,6 +53,11 @@ FrameBuffer::FrameBuffer(const GladGLContext& gl, int width, int height)
 
 void FrameBuffer::begin(const Rect& area, const Color& background, bool with_depth) {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, samples_.id());
+  if (with_depth && sample_depth_.id() == 0) {
+    sample_depth_ = storage(*gl_, samples, GL_DEPTH_COMPONENT24, width_, height_);
+    gl_->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, sample_depth_.id());
+    check_complete(*gl_, "multisample");
+  }
   gl_->Scissor(area.x, area.y, area.width, area.height);
   const std::array<float, 4> color = gl_color(background);
   gl_->ClearColor(color[0], color[1], color[2], 1);

@@ -1,4 +1,4 @@
-// Where the drawing goes: four samples a pixel and depth; and the way out of it.
+// Where the drawing goes: four samples a pixel, and depth where asked for; and the way out of it.
 //
 // The first row is the picture's top row. Throws std::runtime_error when OpenGL has no such frame buffer.
 #pragma once
@@ -20,7 +20,9 @@ class FrameBuffer {
 
  private:
   const GladGLContext* gl_;
-  Handle samples_, sample_color_, sample_depth_;
+  int width_, height_;
+  Handle samples_, sample_color_;
+  Handle sample_depth_;  // once a picture needs it: 15 MB at 1280x720
   Handle pixels_, pixel_color_;
 };
 
