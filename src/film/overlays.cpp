@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
 
 #include "dynamics/shape.h"
 #include "image/color.h"
@@ -15,6 +18,8 @@ constexpr std::array axis_colors{palette::orange, palette::sky, palette::green};
 constexpr std::size_t trace_frames = 240;  // how long the trace stays, fading
 constexpr double trace_length = 1.1;       // all lengths in those of half the book's diagonal
 constexpr double arrow_length = 1.25;
+constexpr double polhode_length = 1.25;  // of the ellipsoid's longest half axis: then it holds a book
+constexpr std::size_t polhode_frames = 600;
 constexpr double axis_beyond_cover = 0.42;
 constexpr double full_strain = 0.05;  // a spring longer by this share has the full color
 
@@ -106,6 +111,77 @@ void add_unrotated(Shot& shot, const BookSetup& setup, const BookTrack&, std::si
   add_ghost(shot, setup, setup.q_WB0.value_or(Eigen::Quaterniond::Identity()));
 }
 
+// In the book's frame, and in units in which the ellipsoid is sum I_i w_i^2 = 1. What lies behind is drawn paler.
+void add_polhode(Shot& shot, const BookSetup& setup, const BookTrack& track, std::size_t frame) {
+  const Body body = body_of(setup.options);
+  const Eigen::Array3d I = body.I_B;
+  const BookFrame& now = track.frames[frame];
+  const double twice_energy = track.frames.front().L_W.cwiseProduct(track.frames.front().omega_W).sum();
+  if (!(twice_energy > 0.0)) return;
+  const Eigen::Matrix3d R_WB = polhode_length * body.reach * std::sqrt(I.minCoeff()) * now.q_WB.toRotationMatrix();
+  const auto draw = [&](const std::vector<Eigen::Vector3d>& curve_B, const Color& color, double width) {
+    for (std::size_t i = 1; i < curve_B.size(); ++i) {
+      Line line{R_WB * curve_B[i - 1], R_WB * curve_B[i], color, width};
+      const Eigen::Vector3d outwards_W = R_WB * (I * curve_B[i].array()).matrix();
+      const bool behind = outwards_W.cwiseProduct(shot.camera.eye_W - line.to_W).sum() < 0.0;
+      if (behind) line.color.a /= 4;
+      shot.lines.push_back(line);
+    }
+  };
+  const auto around = [](const auto& point_B) {
+    constexpr int points = 72;
+    std::vector<Eigen::Vector3d> curve_B;
+    for (int i = 0; i <= points; ++i) curve_B.push_back(point_B(2.0 * std::numbers::pi * i / points));
+    return curve_B;
+  };
+  std::array<int, 3> axes{0, 1, 2};
+  std::sort(axes.begin(), axes.end(), [&](int a, int b) { return I(a) < I(b); });
+  const int middle = axes[1];
+  // Rings about the two outer axes: L^2 / 2E from the axis's own moment to the middle one, the separatrix.
+  constexpr int rings = 4;
+  for (const auto& [axis, other] : {std::pair(axes[0], axes[2]), std::pair(axes[2], axes[0])}) {
+    const double gap = std::abs(I(axis) - I(other));
+    const double flat = gap > 0.0 ? std::abs(I(axis) - I(middle)) / gap : 1.0;
+    for (int k = 1; k <= (axis == axes[0] ? rings : rings - 1); ++k) {
+      for (const double side : {-1.0, 1.0}) {
+        const auto ring = around([&, axis = axis, other = other](double phase) {
+          Eigen::Vector3d w_B;
+          w_B(middle) = std::sin(phase) * k / rings / std::sqrt(I(middle));
+          w_B(other) = std::cos(phase) * k / rings * std::sqrt(flat / I(other));
+          w_B(axis) = 0.0;
+          const double rest = 1.0 - (I * w_B.array().square()).sum();
+          w_B(axis) = side * std::sqrt(std::max(0.0, rest) / I(axis));
+          return w_B;
+        });
+        if (k == rings) {
+          draw(ring, palette::vermilion, 2.0);
+        } else {
+          draw(ring, {236, 239, 244, 120}, 1.2);
+        }
+      }
+    }
+  }
+  // The outline, where the lines of sight touch: a circle, once the ellipsoid is drawn out to a sphere.
+  const Eigen::Vector3d eye = I.sqrt() * (R_WB.inverse() * shot.camera.eye_W).array();
+  const Eigen::Vector3d u = eye.unitOrthogonal();
+  const Eigen::Vector3d v = eye.normalized().cross(u);
+  const double distance2 = eye.squaredNorm();
+  draw(around([&](double phase) -> Eigen::Vector3d {
+         const double radius = std::sqrt(std::max(0.0, 1.0 - 1.0 / distance2));
+         const Eigen::Vector3d touched = eye / distance2 + radius * (std::cos(phase) * u + std::sin(phase) * v);
+         return 0.999 * touched.array() / I.sqrt();  // on this side
+       }),
+       {236, 239, 244, 150}, 1.5);
+
+  std::vector<Eigen::Vector3d> path_B;
+  for (std::size_t n = frame - std::min(frame, polhode_frames); n <= frame; ++n) {
+    path_B.push_back(track.frames[n].q_WB.conjugate() * track.frames[n].omega_W / std::sqrt(twice_energy));
+  }
+  draw(path_B, palette::yellow, 4.0);
+  const Eigen::Vector3d tip_W = R_WB * path_B.back();
+  shot.arrows.push_back({Eigen::Vector3d::Zero(), tip_W, palette::sky, 0.02 * body.reach});
+}
+
 struct Drawing {
   Overlay id;
   void (*add)(Shot& shot, const BookSetup& setup, const BookTrack& track, std::size_t frame);
@@ -120,7 +196,8 @@ constexpr std::array drawings{Drawing{Overlay::axes, add_axes, as_its_labels},
                               Drawing{Overlay::trace, add_trace, trace_length + 0.02},
                               Drawing{Overlay::springs, add_springs, 0.0},
                               Drawing{Overlay::exact, add_exact, 1.0},
-                              Drawing{Overlay::unrotated, add_unrotated, 1.0}};
+                              Drawing{Overlay::unrotated, add_unrotated, 1.0},
+                              Drawing{Overlay::polhode, add_polhode, polhode_length + 0.02}};
 
 static_assert(drawings.size() == overlay_table.size());
 static_assert(std::all_of(drawings.begin(), drawings.end(),

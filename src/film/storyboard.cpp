@@ -181,6 +181,7 @@ Shot Storyboard::shot(int frame) const {
     const BookTrack& track = trajectory_->books[b];
     const auto n = static_cast<std::size_t>(frame);
     Shot alone;
+    alone.camera = camera_;
     if (frame <= last_frames_[b]) {
       alone.books.push_back({as_bound(setup, track.frames[n].corners_W),
                              setup.style == Style::ghost ? BookStyle::ghost : BookStyle::solid});

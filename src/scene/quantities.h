@@ -28,6 +28,12 @@ enum class Q {
   extent,
   floor_hits,
   exploded,
+  omega_Bx,
+  omega_By,
+  omega_Bz,
+  L_Bx,
+  L_By,
+  L_Bz,
   count
 };
 
@@ -90,6 +96,18 @@ inline constexpr std::array quantities{
              "floor hits", "{:.0f}", "Hits of the floor of 0.1 E₀ so far", "", 1.0, {0.0, 1.0}, true},
     Quantity{Q::exploded, "exploded", "", "1 once the book has exploded, 0 before",
              "exploded", "{:.0f}", "Exploded", "", 1.0, {0.0, 1.0}, true},
+    Quantity{Q::omega_Bx, "omega_Bx", "radians per unit of time", "angular velocity about the book's own x",
+             "ωx", "{:.4f}", "Angular velocity about the book's x", "", 1.0, {0.0, 0.0}},
+    Quantity{Q::omega_By, "omega_By", "radians per unit of time", "angular velocity about the book's own y",
+             "ωy", "{:.4f}", "Angular velocity about the book's y", "", 1.0, {0.0, 0.0}},
+    Quantity{Q::omega_Bz, "omega_Bz", "radians per unit of time", "angular velocity about the book's own z",
+             "ωz", "{:.4f}", "Angular velocity about the book's z", "", 1.0, {0.0, 0.0}},
+    Quantity{Q::L_Bx, "L_Bx", "", "angular momentum about the book's own x",
+             "Lx", "{:.4f}", "Angular momentum about the book's x", "", 1.0, {0.0, 0.0}},
+    Quantity{Q::L_By, "L_By", "", "angular momentum about the book's own y",
+             "Ly", "{:.4f}", "Angular momentum about the book's y", "", 1.0, {0.0, 0.0}},
+    Quantity{Q::L_Bz, "L_Bz", "", "angular momentum about the book's own z",
+             "Lz", "{:.4f}", "Angular momentum about the book's z", "", 1.0, {0.0, 0.0}},
 };
 // clang-format on
 

@@ -35,7 +35,7 @@ struct ViewSetup {
 };
 
 // What can be drawn with a book, beside the book itself, in this order; how: film/overlays.cpp.
-enum class Overlay { axes, angular_velocity, angular_momentum, trace, springs, exact, unrotated, count };
+enum class Overlay { axes, angular_velocity, angular_momentum, trace, springs, exact, unrotated, polhode, count };
 
 struct OverlayInfo {
   std::string_view name;  // in scripts
@@ -52,6 +52,10 @@ inline constexpr std::array overlay_table{
     OverlayInfo{"springs", "all 28, colored by their tension"},
     OverlayInfo{"exact", "a ghost: the exact book from the same start"},
     OverlayInfo{"unrotated", "a ghost: the book as it was at the start"},
+    OverlayInfo{
+        "polhode",
+        "the ellipsoid on which the energy keeps the tip of the angular velocity, as the book sees it, with the "
+        "curves on which the angular momentum keeps it (red: the separatrix), and the tip's path"},
 };
 static_assert(overlay_table.size() == static_cast<std::size_t>(Overlay::count));
 

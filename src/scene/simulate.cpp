@@ -126,6 +126,11 @@ class Recorder {
   void measure_motion(BookFrame& f, const Book& book) const {
     f.L_W = book.angular_momentum_W();
     f.omega_W = angular_velocity_W(f.q_WB.toRotationMatrix(), body_.I_B, f.L_W);
+    const Eigen::Vector3d L_B = f.q_WB.conjugate() * f.L_W;
+    for (std::size_t d = 0; d < 3; ++d) {
+      f.value[static_cast<std::size_t>(Q::L_Bx) + d] = L_B(static_cast<int>(d));
+      f.value[static_cast<std::size_t>(Q::omega_Bx) + d] = L_B(static_cast<int>(d)) / body_.I_B(static_cast<int>(d));
+    }
     f[Q::kinetic_energy] = book.kinetic_energy();
     if constexpr (requires { book.elastic_energy(); }) {
       f[Q::elastic_energy] = book.elastic_energy();

@@ -8,12 +8,14 @@
 #include <set>
 
 #include "film/overlays.h"
+#include "image/color.h"
 #include "render/camera.h"
 #include "render/renderer.h"
 #include "render/text.h"
 #include "scene/quantities.h"
 #include "scene/scene_file.h"
 #include "scene/simulate.h"
+#include "tolerance.h"
 
 namespace bookspin {
 namespace {
@@ -158,6 +160,34 @@ TEST(Storyboard, EqualPosesAreEqualPictures) {
   for (const std::size_t b : {1U, 2U, 3U}) EXPECT_EQ(different_pixels(0, 0, b), 0);
   EXPECT_LE(different_pixels(239, 1, 2), 10);    // measured 0
   EXPECT_GE(different_pixels(480, 2, 3), 1000);  // the exact book is elsewhere: measured
+}
+
+// The path of omega and the red curves lie on the ellipsoid of the energy, and on those of L^2 and of the separatrix.
+TEST(Storyboard, APolhodeIsWhereTwoEllipsoidsMeet) {
+  const Scene scene = load_scene(script("polhodes"));
+  const Trajectory trajectory = simulate(scene);
+  const Shot shot = Storyboard(scene, trajectory, width, height).shot(500);
+  ASSERT_EQ(shot.arrows.size(), 3U);
+  for (std::size_t b = 0; b < 3; ++b) {
+    const Body body = body_of(scene.books[b].options);
+    const BookFrame& now = trajectory.books[b].frames[500];
+    const double inertia = now.L_W.squaredNorm() / now.L_W.dot(now.omega_W);
+    const double middle = body.I_B(0);
+    std::map<std::uint8_t, int> lines;  // by their green
+    for (const Line& line : shot.lines) {
+      if (line.shift != shot.books[b].shift) continue;
+      const Eigen::Vector3d w_B = now.q_WB.conjugate() * line.to_W / (1.25 * body.reach);
+      const double energy = w_B.cwiseAbs2().dot(body.I_B) / body.I_B.minCoeff();
+      const double momentum = w_B.cwiseProduct(body.I_B).squaredNorm() / w_B.cwiseAbs2().dot(body.I_B);
+      ++lines[line.color.g];
+      if (line.color.g == palette::light.g) continue;
+      EXPECT_LE(std::abs(energy - 1.0), tolerance(1e-13));  // measured 6.2e-15
+      const double wanted = line.color.g == palette::yellow.g ? inertia : middle;
+      EXPECT_LE(std::abs(momentum - wanted), tolerance(1e-12));  // measured 1.4e-14
+    }
+    EXPECT_EQ(lines[palette::yellow.g], 500);
+    EXPECT_EQ(lines[palette::vermilion.g], 144);
+  }
 }
 
 // Whatever the order of the edges: the mesh's thickness along the shortest, its spine along the longest, no mirror image.

@@ -219,10 +219,10 @@ const BadScript bad_scripts[] = {
      "s.toml:3:9: book.0.style: found 'wire'; allowed: one of \"solid\", \"ghost\""},
     {"show_a_text", "title = \"T\"\n[[book]]\nshow = \"axes\"\n",
      "s.toml:3:8: book.0.show: found 'axes'; allowed: a list of \"axes\", \"angular_velocity\", "
-     "\"angular_momentum\", \"trace\", \"springs\", \"exact\", \"unrotated\""},
+     "\"angular_momentum\", \"trace\", \"springs\", \"exact\", \"unrotated\", \"polhode\""},
     {"show_what_is_not_there", "title = \"T\"\n[[book]]\nshow = [\"axes\", \"shadow\"]\n",
      "s.toml:3:17: book.0.show: found 'shadow'; allowed: a list of \"axes\", \"angular_velocity\", "
-     "\"angular_momentum\", \"trace\", \"springs\", \"exact\", \"unrotated\""},
+     "\"angular_momentum\", \"trace\", \"springs\", \"exact\", \"unrotated\", \"polhode\""},
     {"second_book", "title = \"T\"\n[[book]]\n[[book]]\n  size = 1\n",
      "s.toml:4:10: book.1.size: found 1; allowed: a list of three numbers [x, y, z], each a number from 0 to "
      "1e+06"},
@@ -230,13 +230,15 @@ const BadScript bad_scripts[] = {
      "s.toml:3:1: expect.0.quantity: is missing; allowed: one of \"tilt\", \"flips\", \"stretch\", \"kinetic_energy\", "
      "\"elastic_energy\", \"energy_ratio\", \"angular_momentum_ratio\", \"norm\", "
      "\"largest_singular_value\", \"orthogonality_defect\", \"blend_defect\", "
-     "\"pulsations\", \"angle_error\", \"exact_tilt\", \"exact_flips\", \"extent\", \"floor_hits\", \"exploded\""},
+     "\"pulsations\", \"angle_error\", \"exact_tilt\", \"exact_flips\", \"extent\", \"floor_hits\", \"exploded\", "
+     "\"omega_Bx\", \"omega_By\", \"omega_Bz\", \"L_Bx\", \"L_By\", \"L_Bz\""},
     {"quantity_unknown", "title = \"T\"\n[[book]]\n[[expect]]\nquantity = \"tlt\"\nat_most = 1\n",
      "s.toml:4:12: expect.0.quantity: found 'tlt'; allowed: one of \"tilt\", \"flips\", \"stretch\", "
      "\"kinetic_energy\", \"elastic_energy\", \"energy_ratio\", \"angular_momentum_ratio\", \"norm\", "
      "\"largest_singular_value\", \"orthogonality_defect\", \"blend_defect\", \"pulsations\", \"angle_error\", "
      "\"exact_tilt\", \"exact_flips\", \"extent\", "
-     "\"floor_hits\", \"exploded\"; did you mean \"tilt\"?"},
+     "\"floor_hits\", \"exploded\", \"omega_Bx\", \"omega_By\", \"omega_Bz\", \"L_Bx\", \"L_By\", \"L_Bz\"; did you "
+     "mean \"tilt\"?"},
     {"expect_of_no_such_book", "title = \"T\"\n[[book]]\n[[expect]]\nquantity = \"tilt\"\nbook = 1\nat_most = 2\n",
      "s.toml:5:8: expect.0.book: found 1; allowed: a whole number from 0 to 0"},
     {"expect_of_a_negative_book", "title = \"T\"\n[[book]]\n[[expect]]\nquantity = \"tilt\"\nbook = -1\nat_most = 2\n",

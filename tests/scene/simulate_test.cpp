@@ -250,6 +250,21 @@ TEST(Pulsations, AreOneATurnOnceTheNormHasGrown) {
   EXPECT_LE(pulsations, turned / (2.0 * pi) + 1.0);
 }
 
+// What the book itself would measure: omega and L in its own frame, whatever its orientation at the start.
+TEST(BodyRates, AreThoseOfTheExactMotion) {
+  const std::string book = "method = 'exact'\nmoments = [2, 3, 4]\nangular_momentum = [1, -2, 3]\n";
+  const BookTrack track = run(book + "orientation = [1, 2, 3, 4]\n", 30, 0.3, 1);
+  const TorqueFree exact({2, 3, 4}, Eigen::Quaterniond::Identity(), {1, -2, 3});
+  for (std::size_t n = 0; n < 30; ++n) {
+    const BookFrame& f = track.frames[n];
+    const Eigen::Vector3d L_B(f[Q::L_Bx], f[Q::L_By], f[Q::L_Bz]);
+    EXPECT_LE((L_B - exact.at(static_cast<double>(n) * 0.3).L_B).norm(), tolerance(1e-14));  // measured 2.3e-15
+    EXPECT_EQ(Eigen::Vector3d(f[Q::omega_Bx], f[Q::omega_By], f[Q::omega_Bz]),
+              L_B.cwiseQuotient(Eigen::Vector3d(2, 3, 4)));
+    EXPECT_LE((f.q_WB * L_B - f.L_W).norm(), tolerance(1e-14));  // measured 3.2e-15
+  }
+}
+
 // A method that keeps a quaternion of unit norm knows its orientation to the last digit, where the eight corners of a
 // needle hardly tell how it is turned about itself.
 TEST(Orientation, OfANeedleIsExact) {

@@ -49,7 +49,7 @@ TEST(TrajectoryCsv, HasItsHeader) {
       "frame,t,book,c0x,c0y,c0z,c1x,c1y,c1z,c2x,c2y,c2z,c3x,c3y,c3z,c4x,c4y,c4z,c5x,c5y,c5z,c6x,c6y,c6z,c7x,c7y,c7z,"
       "qw,qx,qy,qz,Lx,Ly,Lz,kinetic_energy,elastic_energy,stretch,angle_error,omega_x,omega_y,omega_z,tilt,flips,"
       "energy_ratio,angular_momentum_ratio,norm,largest_singular_value,orthogonality_defect,blend_defect,pulsations,"
-      "exact_tilt,exact_flips,extent,floor_hits,exploded");
+      "exact_tilt,exact_flips,extent,floor_hits,exploded,omega_Bx,omega_By,omega_Bz,L_Bx,L_By,L_Bz");
 }
 
 TEST(TrajectoryCsv, HasARowAFrameAndBookWhoseNumbersComeBack) {
@@ -72,9 +72,26 @@ TEST(TrajectoryCsv, HasARowAFrameAndBookWhoseNumbersComeBack) {
       expected.insert(expected.end(), {f.q_WB.w(), f.q_WB.x(), f.q_WB.y(), f.q_WB.z(), f.L_W.x(), f.L_W.y(), f.L_W.z(),
                                        f[Q::kinetic_energy], f[Q::elastic_energy], f[Q::stretch], f[Q::angle_error],
                                        f.omega_W.x(), f.omega_W.y(), f.omega_W.z()});
-      for (const char* name : {"tilt", "flips", "energy_ratio", "angular_momentum_ratio", "norm",
-                               "largest_singular_value", "orthogonality_defect", "blend_defect", "pulsations",
-                               "exact_tilt", "exact_flips", "extent", "floor_hits", "exploded"}) {
+      for (const char* name : {"tilt",
+                               "flips",
+                               "energy_ratio",
+                               "angular_momentum_ratio",
+                               "norm",
+                               "largest_singular_value",
+                               "orthogonality_defect",
+                               "blend_defect",
+                               "pulsations",
+                               "exact_tilt",
+                               "exact_flips",
+                               "extent",
+                               "floor_hits",
+                               "exploded",
+                               "omega_Bx",
+                               "omega_By",
+                               "omega_Bz",
+                               "L_Bx",
+                               "L_By",
+                               "L_Bz"}) {
         for (const Quantity& q : quantities) {
           if (q.name == name) expected.push_back(f[q.id]);
         }
@@ -116,7 +133,8 @@ TEST(TrajectoryCsv, SaysNanWhereThereIsNoNumber) {
   const std::vector<std::string> rows = split(trajectory_csv_rows(scene, trajectory, 399), '\n');
   std::string expected = "399,279.29999999999995,1";
   for (int i = 0; i < 38; ++i) expected += ",nan";
-  expected += ",nan,0,nan,nan,nan,nan,nan,nan,0,nan,0,nan,0,1";  // counts stay, and it has exploded
+  expected +=
+      ",nan,0,nan,nan,nan,nan,nan,nan,0,nan,0,nan,0,1,nan,nan,nan,nan,nan,nan";  // counts stay, and it has exploded
   EXPECT_EQ(rows[1], expected);
   EXPECT_EQ(whole_csv(scene, trajectory).find("inf"), std::string::npos);
 }
