@@ -1,13 +1,18 @@
 # The front door. Each target works alone on a fresh Debian: it installs what is missing, builds, and runs.
 
 .NOTPARALLEL:  # two builds in one folder break it; each build uses every core by itself
-.PHONY: figures test page report bench golden package matrix clean
+.PHONY: figures gallery test page report bench golden package matrix clean
 
 # Every film, the course page around them, and where there is no report one made in seconds, to which the page links: videos/site/.
 figures: program
 	build/bookspin render --update videos/*.toml -o videos/site
 	build/bookspin page videos/site
 	test -e videos/site/report/index.html || { build/bookspin report --quick -o videos/site/report && build/bookspin page videos/site; }
+
+# Bodies from elsewhere, each held against a published or closed-form value, and their page: videos/site/more/.
+gallery: program
+	build/bookspin render --update videos/more/*.toml -o videos/site/more
+	build/bookspin page videos/site/more
 
 test: everything
 	@tests/page/browser_tools.sh build/browser
