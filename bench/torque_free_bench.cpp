@@ -131,6 +131,19 @@ void evaluation(benchmark::State& state) {
 }
 BENCHMARK(evaluation)->DenseRange(0, 3);
 
+void evaluation_of_many(benchmark::State& state) {
+  const Start start = start_of(state.range(0));
+  const TorqueFree exact(start.I_B, Quaterniond::Identity(), start.L_B);
+  std::array<double, 1024> t;
+  std::array<RigidState, 1024> states;
+  for (std::size_t i = 0; i < t.size(); ++i) t[i] = start.T * (1.0 / 1024) * static_cast<double>(i);
+  while (state.KeepRunningBatch(t.size())) {
+    exact.at(t.size(), t.data(), states.data());
+    benchmark::DoNotOptimize(states);
+  }
+}
+BENCHMARK(evaluation_of_many)->DenseRange(0, 3);
+
 void setup(benchmark::State& state) {
   const Start start = start_of(state.range(0));
   while (state.KeepRunning()) benchmark::DoNotOptimize(TorqueFree(start.I_B, Quaterniond::Identity(), start.L_B));

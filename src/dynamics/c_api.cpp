@@ -1,6 +1,7 @@
 #include "dynamics/c_api.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <new>
@@ -71,12 +72,13 @@ int bookspin_at(const bookspin_motion* motion, size_t count, const double* t, do
     require(motion && (t || count == 0), "bookspin_at: a pointer is NULL");
     require(std::all_of(t, t + count, [](double time) { return std::isfinite(time); }),
             "bookspin_at: a time is not finite");
+    std::array<bookspin::RigidState, 64> states;
     for (size_t i = 0; i < count; ++i) {
-      const bookspin::RigidState state = motion->motion.at(t[i]);
-      const Eigen::Quaterniond& q = state.q_WB;
+      if (i % states.size() == 0) motion->motion.at(std::min(count - i, states.size()), t + i, states.data());
+      const auto& [q, L] = states[i % states.size()];
       if (q_WB) Eigen::Map<Eigen::Vector4d>(q_WB + 4 * i) = Eigen::Vector4d(q.w(), q.x(), q.y(), q.z());
-      if (L_B) Eigen::Map<Eigen::Vector3d>(L_B + 3 * i) = state.L_B;
-      if (omega_B) Eigen::Map<Eigen::Vector3d>(omega_B + 3 * i) = state.L_B.cwiseQuotient(motion->I_B);
+      if (L_B) Eigen::Map<Eigen::Vector3d>(L_B + 3 * i) = L;
+      if (omega_B) Eigen::Map<Eigen::Vector3d>(omega_B + 3 * i) = L.cwiseQuotient(motion->I_B);
     }
   });
 }

@@ -271,7 +271,8 @@ void TorqueFree::tumble(const Start& start) {
   phase0_ = u0 * theta_.frequency / motion.lambda;
 
   // The frame of L, seen from the body at t = 0: the inverse of what alpha and beta give there.
-  const ThetaValues<Dd> theta = theta_at<Dd>(theta_, phase0_);
+  const ThetaValues<Dd> theta =
+      theta_.hyperbolic ? theta_at<Dd, true>(theta_, phase0_) : theta_at<Dd, false>(theta_, phase0_);
   const auto [sine, cosine] = sincos_of_quarters<Dd>(theta.quarters);
   const DdQuaternion g = cayley_klein(theta.alpha_re * cosine - theta.alpha_im * sine,
                                       theta.alpha_im * cosine + theta.alpha_re * sine, L1, L2, L + L3);
@@ -286,39 +287,81 @@ void TorqueFree::tumble(const Start& start) {
   }
 }
 
-RigidState TorqueFree::at(double t) const {
+// The state at one time, as numbers: without branches, so that wide instructions can take a loop of it.
+struct TorqueFree::Sample {
+  std::array<double, 4> q_WB;  // w, x, y, z
+  double L_1, L_2, L_3;
+};
+
+template <bool hyperbolic>
+[[gnu::always_inline]] inline TorqueFree::Sample TorqueFree::tumbled(double t) const {
   const double time = t * time_scale_;
   Dd quarters = two_product(turn_rate_.hi, time);
   quarters.lo += turn_rate_.lo * time;
-  const auto turned = [this](double w, double x, double y, double z) {
-    return Quaterniond((frames_[0] * w + frames_[1] * x) + (frames_[2] * y + frames_[3] * z));
-  };
-  if (steady_) {
-    const auto [sine, cosine] = sincos_of_quarters<double>(quarters);
-    return {turned(cosine, 0, 0, sine), amplitude_ * L_};
-  }
-
   const Dd advance = two_product(theta_.frequency.hi, time);
   Dd phase = two_sum(advance.hi, phase0_.hi);
   phase.lo += advance.lo + theta_.frequency.lo * time + phase0_.lo;
-  const ThetaValues<double> theta = theta_at<double>(theta_, phase);
+  const ThetaValues<double> theta = theta_at<double, hyperbolic>(theta_, phase);
   const double l1 = amplitude_[0] * theta.sn;
   const double l2 = amplitude_[1] * theta.cn;
   const double l3 = amplitude_[2] * theta.dn;
-  RigidState state;
-  state.L_B[axis_[0]] = L_axis_[0] * l1;
-  state.L_B[axis_[1]] = L_axis_[1] * l2;
-  state.L_B[axis_[2]] = L_axis_[2] * l3;
 
   quarters.lo += theta.quarters;
   const auto [sine, cosine] = sincos_of_quarters<double>(quarters);
   const double square = theta.alpha_re * theta.alpha_re + theta.alpha_im * theta.alpha_im;
   const double up = 1 + l3;
   const double length = 1 / std::sqrt(square * (up * up + l1 * l1 + l2 * l2));
-  const auto [w, x, y, z] = cayley_klein((cosine * theta.alpha_re - sine * theta.alpha_im) * length,
-                                         (cosine * theta.alpha_im + sine * theta.alpha_re) * length, l1, l2, up);
-  state.q_WB = turned(w, x, y, z);
+  const std::array<double, 4> g = cayley_klein((cosine * theta.alpha_re - sine * theta.alpha_im) * length,
+                                               (cosine * theta.alpha_im + sine * theta.alpha_re) * length, l1, l2, up);
+  const auto turned = [&](int i) {  // w, x, y, z; frames_ hold x, y, z, w
+    const int at = (i + 3) % 4;
+    return (frames_[0][at] * g[0] + frames_[1][at] * g[1]) + (frames_[2][at] * g[2] + frames_[3][at] * g[3]);
+  };
+  return {{turned(0), turned(1), turned(2), turned(3)}, L_axis_[0] * l1, L_axis_[1] * l2, L_axis_[2] * l3};
+}
+
+RigidState TorqueFree::state_of(const Sample& s) const {
+  RigidState state{{s.q_WB[0], s.q_WB[1], s.q_WB[2], s.q_WB[3]}, {}};
+  state.L_B[axis_[0]] = s.L_1;
+  state.L_B[axis_[1]] = s.L_2;
+  state.L_B[axis_[2]] = s.L_3;
   return state;
+}
+
+RigidState TorqueFree::at(double t) const {
+  if (!steady_) return state_of(theta_.hyperbolic ? tumbled<true>(t) : tumbled<false>(t));
+  const double time = t * time_scale_;
+  Dd quarters = two_product(turn_rate_.hi, time);
+  quarters.lo += turn_rate_.lo * time;
+  const auto [sine, cosine] = sincos_of_quarters<double>(quarters);
+  return {Quaterniond((frames_[0] * cosine + frames_[1] * 0) + (frames_[2] * 0 + frames_[3] * sine)), amplitude_ * L_};
+}
+
+void TorqueFree::at(std::size_t count, const double* t, RigidState* states) const {
+  constexpr std::size_t lanes = 8;
+  const auto together = [&, self = *this]<bool hyperbolic>(std::bool_constant<hyperbolic>) {
+    std::array<std::array<double, lanes>, 7> x;  // component by component
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const Sample s = self.template tumbled<hyperbolic>(t[i]);
+      x[0][i] = s.q_WB[0];
+      x[1][i] = s.q_WB[1];
+      x[2][i] = s.q_WB[2];
+      x[3][i] = s.q_WB[3];
+      x[4][i] = s.L_1;
+      x[5][i] = s.L_2;
+      x[6][i] = s.L_3;
+    }
+    for (std::size_t i = 0; i < lanes; ++i)
+      states[i] = self.state_of({{x[0][i], x[1][i], x[2][i], x[3][i]}, x[4][i], x[5][i], x[6][i]});
+  };
+  for (; !steady_ && count >= lanes; count -= lanes, t += lanes, states += lanes) {
+    if (theta_.hyperbolic) {
+      together(std::true_type());
+    } else {
+      together(std::false_type());
+    }
+  }
+  std::transform(t, t + count, states, [this](double time) { return at(time); });
 }
 
 double TorqueFree::flip_period() const {

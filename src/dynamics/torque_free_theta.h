@@ -167,10 +167,10 @@ EvenOdd even_odd(const std::array<double, 5>& c, double x) {
   }
 }
 
-// phase: flips since u = 0 (on the separatrix X).
-template <class Real>
+// phase: flips since u = 0 (on the separatrix X). hyperbolic: as form.hyperbolic.
+template <class Real, bool hyperbolic>
 [[gnu::always_inline]] inline ThetaValues<Real> theta_at(const ThetaForm& form, Dd phase) {
-  if (!form.hyperbolic) {
+  if constexpr (!hyperbolic) {
     const auto [sine, cosine] = sincos_of_quarters<Real>({2 * phase.hi, 2 * phase.lo});
     const Real argument = (cosine - sine) * (cosine + sine) * Real(2 * form.nome);
     const auto [even12, odd12] = even_odd<5>(form.theta12, static_cast<double>(argument));

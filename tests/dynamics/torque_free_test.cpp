@@ -55,6 +55,28 @@ double energy(const Vector3d& I_B, const Vector3d& L_B) {
   return 0.5 * L_B.dot(L_B.cwiseQuotient(I_B));
 }
 
+// However many, and in whatever lanes: the same bits. Tumbling by both forms, on the separatrix, steady.
+TEST(TorqueFree, ManyTimesAtOnceGiveTheBitsOfOneByOne) {
+  std::vector<TorqueFree> motions{{book, Quaterniond::Identity(), {0, 2, 0}},
+                                  {{1, 2, 3}, Quaterniond::Identity(), {0.3, 2, 0.1}},
+                                  TorqueFree::of_book({4, 2, 1}, {0.5, 0, 0.5})};
+  for (const Case& one : cases()) motions.emplace_back(one.I_B, Quaterniond::Identity(), one.L_W);
+  std::vector<double> t;
+  for (int i = -30; i < 71; ++i) t.push_back(i < 60 ? 7.7 * i : std::ldexp(1.1, i));
+  for (const TorqueFree& motion : motions) {
+    for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{8}, std::size_t{21}, t.size()}) {
+      std::vector<RigidState> states(count + 1, {Quaterniond(7, 7, 7, 7), {7, 7, 7}});
+      motion.at(count, t.data(), states.data());
+      for (std::size_t i = 0; i < count; ++i) {
+        const RigidState alone = motion.at(t[i]);
+        EXPECT_EQ(states[i].q_WB.coeffs(), alone.q_WB.coeffs()) << t[i];
+        EXPECT_EQ(states[i].L_B, alone.L_B) << t[i];
+      }
+      EXPECT_EQ(states[count].L_B.x(), 7.0);  // and nothing beyond
+    }
+  }
+}
+
 TEST(TorqueFree, MatchesTheReferences) {
   int samples = 0;
   for (const Case& one : cases()) {
