@@ -48,9 +48,16 @@ std::string kind_of(const std::string& name) {
 // every file system locks a folder; there, two who publish the same names at the same moment may meet.
 class FolderLock {
  public:
-  explicit FolderLock(const fs::path& folder)
-      : folder_{open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)},
-        held_(folder_.number >= 0 && flock(folder_.number, LOCK_EX) == 0) {}
+  explicit FolderLock(const fs::path& folder) : folder_{open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)} {
+    constexpr int most_tries =
+        500;  // in ten seconds: who publishes needs less, and who runs us under `flock FOLDER` more
+    for (int tries = 0; folder_.number >= 0 && !held_; ++tries) {
+      held_ = flock(folder_.number, LOCK_EX | LOCK_NB) == 0;
+      if (held_ || errno != EWOULDBLOCK) return;
+      if (tries == most_tries) throw_file_error(folder, "cannot be changed", "another program has locked it");
+      usleep(20000);
+    }
+  }
   [[nodiscard]] bool held() const { return held_; }
   void flush(const fs::path& folder) const {
     if (held_ && fsync(folder_.number) != 0 && errno != EINVAL)
@@ -59,7 +66,7 @@ class FolderLock {
 
  private:
   Descriptor folder_;
-  bool held_;
+  bool held_ = false;
 };
 
 // One of a transaction's steps, as its journal has them: the name takes a new file, and what stood there is kept.
@@ -97,9 +104,8 @@ void undo(const fs::path& folder, const std::vector<Step>& steps) {
     struct stat found {};
     const bool there = lstat(file.c_str(), &found) == 0;
     if (there ? found.st_ino != step.inode : errno != ENOENT) continue;
-    const int done = !step.backup.empty() ? rename((folder / step.backup).c_str(), file.c_str())
-                     : there              ? unlink(file.c_str())
-                                          : 0;
+    const fs::path backup = folder / fs::path(step.backup).filename();
+    const int done = !step.backup.empty() ? rename(backup.c_str(), file.c_str()) : there ? unlink(file.c_str()) : 0;
     if (done != 0 && errno != ENOENT) throw_file_error(file, "cannot be given back what it held");
   }
 }

@@ -2,8 +2,10 @@
 
 #include "files/part.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -215,6 +217,27 @@ TEST(Part, AListThatIsNoFileIsRefusedAtOnce) {
   EXPECT_THAT([&] { Part(scratch / "a", NamedBy::program); },
               ThrowsMessage<std::runtime_error>(HasSubstr("bookspin.sha256: cannot be replaced: is a symbolic link")));
   EXPECT_NO_THROW(Part(scratch / "a"));
+}
+
+// As `flock FOLDER bookspin ...` has it.
+TEST(Part, AFolderThatStaysLockedIsSaid) {
+  const Scratch scratch;
+  const int folder = open(scratch.folder().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  ASSERT_EQ(flock(folder, LOCK_EX), 0);
+  EXPECT_THAT([&] { const Part part(scratch / "a"); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("cannot be changed: another program has locked it")));
+  close(folder);
+  EXPECT_NO_THROW(make(scratch / "a", "text"));
+}
+
+TEST(Part, AJournalReachesNothingOutsideItsFolder) {
+  const Scratch scratch;
+  fs::create_directories(scratch / "films");
+  write_text(scratch / "victim", "mine");
+  write_text(scratch / "films/.bookspin-1-1.undo", std::string("0\0../a\0../victim\0", 18));
+  settle(scratch / "films");
+  EXPECT_EQ(read_text(scratch / "victim"), "mine");
+  EXPECT_TRUE(fs::is_empty(scratch / "films"));
 }
 
 TEST(Part, TheListForgetsFilesThatAreGone) {
