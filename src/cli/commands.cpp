@@ -32,6 +32,7 @@
 #include "scene/doubts.h"
 #include "scene/judge.h"
 #include "scene/scene_file.h"
+#include "scene/scene_json.h"
 #include "scene/simulate.h"
 #include "scene/trajectory_csv.h"
 
@@ -298,6 +299,11 @@ int write_trajectory(const Options& options) {
   }
   write(std::cout);
   finish_output();
+  return 0;
+}
+
+int print_scene(const Options& options) {
+  print(scene_json(load_scene(options.scenes.front(), options.overrides)) + '\n');
   return 0;
 }
 

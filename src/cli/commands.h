@@ -11,6 +11,7 @@ int render_scenes(const Options& options);
 int draw_scene_frame(const Options& options);
 int check_scenes(const Options& options);
 int write_trajectory(const Options& options);
+int print_scene(const Options& options);
 int report(const Options& options);
 int give_advice(const Options& options);
 int make_page(const Options& options);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "dynamics/torque_free_dd.h"
+
 namespace bookspin {
 namespace {
 
@@ -12,6 +14,22 @@ namespace {
 Eigen::Matrix3d correlation(const Corners& corners_W, const Corners& corners_B) {
   const Eigen::Vector3d mean = corners_W.rowwise().mean();
   return (corners_W.colwise() - mean) * corners_B.transpose();
+}
+
+// atan2(y, x) for y >= 0, rounded to the nearest double: no two mathematical libraries round it alike. The angle is
+// halved three times; its tangent is then below 0.1, and its series good to 21 digits.
+double polar_angle(double x, double y) {
+  if (y == 0.0 || !std::isfinite(x) || !std::isfinite(y)) return std::atan2(y, x);
+  const int exponent = std::ilogb(std::max(std::abs(x), y));
+  const Dd across = std::scalbn(std::abs(x), -exponent);
+  const Dd up = std::scalbn(y, -exponent);
+  Dd t = across < up ? across / up : up / across;
+  for (int i = 0; i < 3; ++i) t = t / (sqrt(t * t + 1.0) + 1.0);
+  Dd sum;
+  for (int k = 21; k > 0; k -= 2) sum = Dd(1.0) / Dd(k) - t * t * sum;
+  Dd angle = t * sum * 8.0;
+  if (across < up) angle = dd_pi * 0.5 - angle;
+  return x < 0.0 ? (dd_pi - angle).hi : angle.hi;
 }
 
 }  // namespace
@@ -54,11 +72,11 @@ double extent(const Corners& corners_W, const Corners& corners_B) {
 
 double geodesic_angle(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
   const Eigen::Quaterniond d = a.conjugate() * b;
-  return 2.0 * std::atan2(d.vec().norm(), std::abs(d.w()));
+  return 2.0 * polar_angle(std::abs(d.w()), d.vec().norm());
 }
 
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.cwiseProduct(b).sum());
+  return polar_angle(a.cwiseProduct(b).sum(), a.cross(b).norm());
 }
 
 }  // namespace bookspin

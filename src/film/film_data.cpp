@@ -12,7 +12,7 @@
 #include "files/files.h"
 #include "film/process.h"
 #include "render/renderer.h"
-#include "scene/scene_file.h"
+#include "scene/scene_json.h"
 
 namespace bookspin {
 namespace {
@@ -100,6 +100,7 @@ Json as_json(const FilmData& data) {
                                   {"axis", {{"low", q.axis.low}, {"high", q.axis.high}, {"most", q.axis.most}}}});
   }
   json["script"] = film.script;
+  json["scene"] = Json::parse(scene_json(film.scene));
   json["books"] = Json::array();
   for (std::size_t b = 0; b < film.scene.books.size(); ++b) {
     json["books"].push_back(book_json(film.scene.books[b], data.trajectory.books[b]));

@@ -14,6 +14,7 @@
 //   cues                          captions of the script's own: says, first_frame, end_frame (the first without it)
 //   quantities                    name, unit, meaning; for a chart: title, shown_unit, shown_scale (shown / value), axis
 //                                 (low, high: shown, what it holds whatever the data; most: what cannot be exceeded or 0)
+//   scene                         what moves, with the overrides (scene/scene_json.h)
 //   books                         name, method, exploded_frame (null: never), and data: one list a quantity, one number
 //                                 a frame, 7 significant digits, null where there is no number
 #pragma once

@@ -1,10 +1,7 @@
 #include "scene/any_book.h"
 
-#include <fmt/format.h>
-
 #include <stdexcept>
-
-#include "scene/scene_file.h"
+#include <string>
 
 namespace bookspin {
 
@@ -26,7 +23,7 @@ AnyBook make_book(Method method, const BookOptions& options) {
   if (method == Method::exact) return ExactBook(options);
   const IntegratorInfo& integrator = info_of(options.integrator);
   if (!takes(method, options.damping > 0.0, integrator)) {
-    throw std::invalid_argument(fmt::format("{} does not take {}", name_of(method), integrator.name));
+    throw std::invalid_argument(std::string(name_of(method)).append(" does not take ").append(integrator.name));
   }
   if (method == Method::springs) return SpringBook(options);
   if (method == Method::matrix) return MatrixBook(options);

@@ -20,6 +20,12 @@
 namespace bookspin {
 
 enum class Method { springs, matrix, quaternion, exact };
+inline constexpr std::array<std::string_view, 4> method_names{"springs", "matrix", "quaternion",
+                                                              "exact"};  // in scripts
+[[nodiscard]] constexpr std::string_view name_of(Method method) {
+  return method_names[static_cast<std::size_t>(method)];
+}
+
 enum class Style { solid, ghost };
 
 struct Clip {

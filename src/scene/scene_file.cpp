@@ -21,7 +21,6 @@
 namespace bookspin {
 namespace {
 
-const Words method_names{"springs", "matrix", "quaternion", "exact"};
 const Words style_names{"solid", "ghost"};
 
 constexpr int most_frames = 100000;       // half an hour at 60 frames a second
@@ -149,7 +148,7 @@ void read_book(TableReader& reader, BookSetup& book) {
   BookOptions& o = book.options;
   reader.read("name", book.name, "printed under the book");
   book.method = static_cast<Method>(
-      reader.read_word("method", method_names,
+      reader.read_word("method", Words(method_names.begin(), method_names.end()),
                        "how the book is simulated: eight corners on 28 springs, a rotation matrix, a quaternion, "
                        "or the exact rigid motion, which takes no steps"));
   reader.read("particle_mass", o.particle_mass, positive, "mass of each of the eight corners");
@@ -324,10 +323,6 @@ std::vector<std::string> remarks_on(const Scene& scene) {
     }
   }
   return remarks;
-}
-
-std::string_view name_of(Method method) {
-  return method_names[static_cast<std::size_t>(method)];
 }
 
 }  // namespace bookspin

@@ -27,6 +27,4 @@ namespace bookspin {
 // What a script may say, and hardly means: "book.0: does not turn: ...".
 [[nodiscard]] std::vector<std::string> remarks_on(const Scene& scene);
 
-[[nodiscard]] std::string_view name_of(Method method);
-
 }  // namespace bookspin

@@ -190,6 +190,19 @@ TEST(GeodesicAngle, IsAccurateFrom0ToPi) {
   }
 }
 
+// As a longer float rounds it, so that every machine has the same angle.
+TEST(AngleBetween, IsRoundedToTheNearestDouble) {
+  Dice dice(10);
+  for (int n = 0; n < 20000; ++n) {
+    const double length = std::pow(10.0, 300.0 * dice.vector(1.0).x() / 2.0);
+    const Eigen::Vector3d to(dice.vector(1.0).x() * length, std::abs(dice.vector(1.0).y()) * length, 0.0);
+    const long double expected = std::atan2(static_cast<long double>(to.y()), static_cast<long double>(to.x()));
+    const double found = angle_between(Eigen::Vector3d::UnitX(), to);
+    const double last_digit = std::nextafter(found, 4.0) - found;
+    EXPECT_LE(std::abs(static_cast<double>(found - expected)), 0.501 * last_digit) << to.transpose();  // measured: 0.5
+  }
+}
+
 TEST(AngleBetween, IsAccurateFrom0ToPi) {
   for (const double angle : {0.0, 1e-300, 1e-15, 1e-8, 1.0, pi - 1e-8, pi - 1e-15, pi}) {
     const Eigen::Vector3d turned(std::cos(angle), std::sin(angle), 0.0);

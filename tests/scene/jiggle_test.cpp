@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/book_run.h"
 #include "scene/scene_file.h"
 #include "scene/simulate.h"
 #include "tolerance.h"
