@@ -6,10 +6,15 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace bookspin {
 
 [[nodiscard]] std::filesystem::path find_assets(const std::string& option);
+
+// The motion in WebAssembly (src/live): among the assets as installed, or where the program was built. None where it
+// could not be built.
+[[nodiscard]] std::optional<std::filesystem::path> find_live_module(const std::filesystem::path& assets);
 
 }  // namespace bookspin

@@ -382,8 +382,12 @@ int give_advice(const Options& options) {
 }
 
 int make_page(const Options& options) {
-  const PageReceipt page =
-      write_page({folder_or(options.folder, "site"), find_assets(options.assets) / "videos" / "page"});
+  const fs::path assets = find_assets(options.assets);
+  PageOrder order{folder_or(options.folder, "site"), assets / "videos" / "page"};
+  if (const std::optional<fs::path> module = find_live_module(assets)) {
+    order.live = LiveParts{*module, assets / "shaders", assets / "textures"};
+  }
+  const PageReceipt page = write_page(order);
   print(fmt::format("{}: {}, {}\n", page.file.string(), counted(page.films, "film"), readable_size(page.bytes)));
   return 0;
 }

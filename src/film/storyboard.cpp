@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "film/framing.h"
 #include "film/overlays.h"
 #include "image/color.h"
 #include "render/camera.h"
@@ -15,65 +16,17 @@
 namespace bookspin {
 namespace {
 
-constexpr double vertical_fov = 0.5235987755982988;  // 30 degrees, as in the original program
-const double tan_half_fov = std::tan(vertical_fov / 2.0);
-constexpr double margin = 1.04;               // free space about the motion
-constexpr double healthy_extent = 1.25;       // of a book that explodes: up to here it is framed
-constexpr double exploded_brightness = 0.33;  // so large, and turning so fast, it would flash
-constexpr double dimming = 0.2;               // seconds
-constexpr double middle_band = 0.88;          // of the height: above it stands the title, below it the figures
-constexpr double lowest_line = 0.98;          // base line of the figures, frame heights; a smaller band heeds it
-constexpr double name_offset = 1.16;          // of a name below its book, in lengths of its half diagonal
-constexpr double left_edge = 0.03;            // of the title and what stands below it, in frame widths
-constexpr double title_y = 0.07;              // base line; this and all below in frame heights
+constexpr double middle_band = 0.88;  // of the height: above it stands the title, below it the figures
+constexpr double lowest_line = 0.98;  // base line of the figures, frame heights; a smaller band heeds it
+constexpr double name_offset = 1.16;  // of a name below its book, in lengths of its half diagonal
+constexpr double left_edge = 0.03;    // of the title and what stands below it, in frame widths
+constexpr double title_y = 0.07;      // base line; this and all below in frame heights
 constexpr double title_height = 0.04;
 constexpr double name_height = 0.042;
 constexpr double figure_height = 0.035;
 constexpr double line_height = 0.05;
 constexpr double rim_px = 1.5;     // of the smallest text, beyond either end of its line
 constexpr double name_gap = 0.06;  // between texts below two books in a row, in those of their distance
-
-// A book's part of the picture.
-struct Stand {
-  Eigen::Vector2d place;        // of its center, right and up, world units
-  std::vector<Sphere> spheres;  // all that is to be seen of it, about its center
-};
-
-// What all stands take up in the picture when the eye is this far away: right and up, in tangents.
-Eigen::AlignedBox2d picture_of(const std::vector<Stand>& stands, const Eigen::Matrix3d& R_CW, double distance) {
-  Eigen::AlignedBox2d picture;
-  for (const Stand& stand : stands) {
-    for (const Sphere& sphere : stand.spheres) {
-      const Eigen::Vector3d center_C = R_CW * sphere.center_W;
-      const double depth = distance - center_C.z();
-      for (const double side : {-1.0, 1.0}) {
-        const auto edge = [&](int axis) {
-          const double half = std::asin(margin * sphere.radius / std::hypot(center_C(axis), depth));
-          return std::tan(std::atan2(center_C(axis), depth) + side * half) + stand.place(axis) / distance;
-        };
-        picture.extend(Eigen::Vector2d(edge(0), edge(1)));
-      }
-    }
-  }
-  return picture;
-}
-
-// The least distance from which all stands are in the picture.
-double distance_that_frames(const std::vector<Stand>& stands, const Eigen::Matrix3d& R_CW, double aspect, double band) {
-  double near = 0.0;
-  for (const Stand& stand : stands) {
-    for (const Sphere& s : stand.spheres) near = std::max(near, 1.01 * (s.center_W.norm() + margin * s.radius));
-  }
-  const Eigen::Array2d room = 2.0 * tan_half_fov * Eigen::Array2d(aspect, band);
-  const auto fits = [&](double distance) { return (picture_of(stands, R_CW, distance).sizes().array() <= room).all(); };
-  double far = 2.0 * near;
-  while (!fits(far)) far *= 2.0;
-  for (int i = 0; i < 50; ++i) {
-    const double middle = (near + far) / 2.0;
-    (fits(middle) ? far : near) = middle;
-  }
-  return far;
-}
 
 // Below the book in the picture: along the camera's down, not the world's.
 Eigen::Vector3d name_anchor_W(const Scene& scene, const BookSetup& setup) {
@@ -108,7 +61,7 @@ Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, int wid
   }
 
   const double aspect = static_cast<double>(width) / height;
-  camera_.vertical_fov = vertical_fov;
+  camera_.vertical_fov = film_fov;
   double lowest = 1.0;
   for (double band = middle_band; lowest > lowest_line && band > 0.3; band -= 0.02) {
     const double distance = distance_that_frames(stands, R_CW, aspect, band);
@@ -117,7 +70,7 @@ Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, int wid
     shifts_.clear();
     for (const Stand& stand : stands) {
       const Eigen::Vector2d place = stand.place / distance - middle;
-      shifts_.emplace_back(Eigen::Vector2d(place.x(), -place.y()) / (2.0 * tan_half_fov));
+      shifts_.emplace_back(Eigen::Vector2d(place.x(), -place.y()) / (2.0 * std::tan(film_fov / 2.0)));
     }
     lowest = 0.0;
     for (const Label& label : text(0)) {
@@ -129,10 +82,8 @@ Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, int wid
   for (std::size_t b = 0; b < scene.books.size(); ++b) {
     const std::vector<BookFrame>& frames = trajectory.books[b].frames;
     const double too_near = camera_.eye_W.norm() / body_of(scene.books[b].options).reach;
-    const auto is_gone = [&](const BookFrame& f) {
-      return f.exploded() && !(f.corners_W.allFinite() && f[Q::extent] < too_near);
-    };
-    last_frames_[b] = static_cast<int>(std::find_if(frames.begin(), frames.end(), is_gone) - frames.begin()) - 1;
+    const auto gone = [&](const BookFrame& f) { return is_gone(f, too_near); };
+    last_frames_[b] = static_cast<int>(std::find_if(frames.begin(), frames.end(), gone) - frames.begin()) - 1;
   }
   fit_text(width, height);
 }
@@ -186,8 +137,7 @@ Shot Storyboard::shot(int frame) const {
       alone.books.push_back({as_bound(setup, track.frames[n].corners_W),
                              setup.style == Style::ghost ? BookStyle::ghost : BookStyle::solid});
       if (track.frames[n].exploded()) {
-        const double seconds = (frame - *track.exploded_frame + 1.0) / scene_->clip.fps;
-        alone.books.front().brightness = 1.0 - (1.0 - exploded_brightness) * std::min(1.0, seconds / dimming);
+        alone.books.front().brightness = exploded_brightness((frame - *track.exploded_frame + 1.0) / scene_->clip.fps);
       }
     } else {  // the ghosts stay
       std::erase_if(setup.show, [](Overlay o) { return o != Overlay::exact && o != Overlay::unrotated; });

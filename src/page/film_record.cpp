@@ -44,6 +44,7 @@ class Value {
     if (found == self.end()) Value(*file_, place, self).fail("is missing");
     return {*file_, place, *found};
   }
+  [[nodiscard]] std::string object_text() const { return object().dump(); }
   [[nodiscard]] std::string text() const {
     if (!json_->is_string()) refuse("text");
     return json_->get<std::string>();
@@ -156,6 +157,7 @@ std::optional<FilmRecord> parse_film_record(const std::string& text, const fs::p
   film.title = root["title"].text();
   film.caption = root["caption"].text();
   film.script = root["script"].text();
+  if (root.has("scene")) film.scene = root["scene"].object_text();
   if (root.has("film")) film.film = root["film"].file_name();
   film.poster = root["poster"].file_name();
   const auto text_of = [](const Value& value) { return value.text(); };

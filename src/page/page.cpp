@@ -179,6 +179,56 @@ Json speed_in(const fs::path& report) {
   return speed;
 }
 
+std::string base64(const std::string& bytes) {
+  static const char* const letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    unsigned group = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8U | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k) out += k <= count ? letters[group >> (18 - 6 * k) & 63U] : '=';
+  }
+  return out;
+}
+
+// A scene that the panel can show and say again as a script to the last digit.
+bool can_be_live(const Json& scene) {
+  return scene.is_object() && scene.value("frames", 0) > 1 && scene.value("substeps", 0) <= 20000 && scene.contains("books") && scene["books"].is_array() &&
+         std::all_of(scene["books"].begin(), scene["books"].end(), [](const Json& book) {
+           return book.is_object() && book.contains("orientation") && book["orientation"].is_null() &&
+                  book.contains("moments") && book["moments"] == Json{0.0, 0.0, 0.0};
+         });
+}
+
+Json live_context(const LiveParts& parts, const std::vector<FilmRecord>& films, const fs::path& templates) {
+  const auto texts_in = [](const fs::path& folder, std::initializer_list<const char*> extensions, bool with_extension) {
+    Json texts = Json::object();
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      for (const char* extension : extensions) {
+        if (entry.path().extension() != extension) continue;
+        texts[(with_extension ? entry.path().filename() : entry.path().stem()).string()] = read_file(entry.path());
+      }
+    }
+    return texts;
+  };
+  Json data{{"wasm", base64(read_file(parts.module))},
+            {"shaders", texts_in(parts.shaders, {".vert", ".frag"}, true)},
+            {"textures", texts_in(parts.textures, {".svg"}, false)},
+            {"films", Json::object()}};
+  for (const FilmRecord& film : films) {
+    const Json scene = Json::parse(film.scene, nullptr, false);
+    if (film.film.empty() || !can_be_live(scene)) continue;
+    data["films"][percent_encoded(film.name)] = {{"title", film.title}, {"first", film.first_frame}, {"scene", scene}};
+  }
+  std::string text;
+  for (const char c : data.dump()) text += c == '<' ? std::string("\\u003c") : std::string(1, c);  // no end of a script
+  return {{"data", text},
+          {"html", read_file(templates / "live.html")},
+          {"style", read_file(templates / "live.css")},
+          {"behavior", read_file(templates / "engine.js") + read_file(templates / "live.js")}};
+}
+
 // Turns every {{film NAME: panels}} into {{{films.NAME}}} and notes the panels.
 std::string find_places(const std::string& text, std::map<std::string, std::string>& panels) {
   static const std::regex place(R"(\{\{film ([A-Za-z0-9_-]+)(?:: *([^}]*))?\}\})");
@@ -216,6 +266,7 @@ PageReceipt write_page(const PageOrder& order) {
                {"more", Json::array()}};
   context["report"] = fs::exists(order.site / "report" / "index.html");
   context["speed"] = speed_in(order.site / "report" / "report.json");
+  if (order.live) context["live"] = live_context(*order.live, films, order.templates);
   for (const auto& entry : fs::directory_iterator(order.templates)) {
     if (entry.path().extension() == ".svg") context["drawings"][entry.path().stem().string()] = read_file(entry.path());
   }

@@ -1,11 +1,9 @@
 // Draws arrows and lines into the current frame buffer, hidden by and hiding the books by depth.
 //
-// Arrows are lit shafts with cones; lines keep their width in pixels and lie a hair nearer to the eye than they are, so
-// that a spring along a book's edge is seen. Needs <assets>/shaders/{solid,line}.{vert,frag}. Throws std::runtime_error
-// as Program does.
+// strokes.h says what they look like. Needs <assets>/shaders/{solid,line}.{vert,frag}. Throws std::runtime_error as
+// Program does.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <span>
 #include <vector>
@@ -22,9 +20,6 @@ class ArrowAndLinePainter {
 
   void draw_arrow(const View& camera, const Arrow& arrow);
   void draw_lines(const View& view, std::span<const Line> lines);
-
-  // World points whose convex hull holds the arrow.
-  static std::array<Eigen::Vector3d, 16> hull(const Arrow& arrow);
 
  private:
   struct Stream {

@@ -1,6 +1,5 @@
 #include "render/books.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "image/png.h"
+#include "render/bend.h"
 #include "render/gl_color.h"
 
 namespace bookspin {
@@ -92,33 +92,7 @@ void upload_vertices(const GladGLContext& gl, const Handle& buffer, const std::v
   }
 }
 
-// The winding seen on the screen holds only where the map keeps its orientation: everywhere, if it does so at the
-// corners of a book that is not badly bent. Otherwise depth alone decides what is seen.
-bool keeps_orientation(const Corners& corners) {
-  for (int i = 0; i < 8; ++i) {
-    Eigen::Matrix3d derivative;
-    for (int d = 0; d < 3; ++d) {
-      const int bit = 1 << d;
-      derivative.col(d) = corners.col(i | bit) - corners.col(i & ~bit);
-    }
-    if (!(derivative.determinant() > 0)) return false;
-  }
-  return true;
-}
-
 }  // namespace
-
-bool is_unbent(const Corners& corners) {
-  constexpr double allowed = 0.03;  // of the longest edge
-  Eigen::Matrix3d edges;
-  for (int d = 0; d < 3; ++d) edges.col(d) = corners.col(1 << d) - corners.col(0);
-  double bend = 0;
-  for (const int i : {3, 5, 6, 7}) {
-    const Eigen::Vector3d affine = corners.col(0) + edges * Eigen::Vector3d(i & 1, (i >> 1) & 1, (i >> 2) & 1);
-    bend = std::max(bend, (corners.col(i) - affine).norm());
-  }
-  return bend <= allowed * edges.colwise().norm().maxCoeff() && keeps_orientation(corners);
-}
 
 BookPainter::BookPainter(const GladGLContext& gl, const std::filesystem::path& assets)
     : gl_(&gl),

@@ -20,15 +20,11 @@
 
 namespace bookspin {
 
-// Whether the map of the corners is so nearly affine, and keeps its orientation, that the book looks convex from
-// everywhere.
-bool is_unbent(const Corners& corners);
-
 class BookPainter {
  public:
   BookPainter(const GladGLContext& gl, const std::filesystem::path& assets);
 
-  // Without depth the book is drawn over what is there; that is right for a book that is not bent (see is_unbent).
+  // Without depth the book is drawn over what is there; that is right for a book that is not bent (see bend.h).
   void draw_solid(const View& view, const BookPose& book, bool with_depth);
   void draw_ghost(const View& view, const Corners& corners_W);
 

@@ -9,10 +9,12 @@
 #include <vector>
 
 #include "render/arrows_and_lines.h"
+#include "render/bend.h"
 #include "render/books.h"
 #include "render/camera.h"
 #include "render/context.h"
 #include "render/frame_buffer.h"
+#include "render/strokes.h"
 #include "render/text.h"
 
 namespace bookspin {
@@ -106,7 +108,7 @@ Footprint Renderer::Parts::find_footprint(const Shot& next, const View& view) {
     result.books.push_back(bounds(corners, book.shift, margin_px));
   }
   for (const Arrow& arrow : next.arrows)
-    result.arrows.push_back(bounds(ArrowAndLinePainter::hull(arrow), arrow.shift, margin_px));
+    result.arrows.push_back(bounds(arrow_hull(arrow), arrow.shift, margin_px));
   for (const Line& line : next.lines) {
     result.lines.push_back(bounds(std::array{line.from_W, line.to_W}, line.shift, margin_px + line.width_px));
   }

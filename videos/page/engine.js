@@ -44,7 +44,9 @@ class Engine {
     const numbers = [scene.frames, scene.time_per_frame, scene.substeps, scene.seed];
     for (const book of scene.books) {
       numbers.push(this.methods.indexOf(book.method), this.integrators.indexOf(book.integrator), ...book.size, ...book.moments,
-        ...(book.orientation ?? [0, 0, 0, 0]), ...book.angular_velocity, book.jiggle, book.normalize_every, book.damping, book.stiffness, book.particle_mass);
+        ...(book.orientation ?? [0, 0, 0, 0]), ...book.angular_velocity, book.jiggle, book.normalize_every, book.damping, book.stiffness,
+        book.particle_mass, ...book.position, book.ghost ? 1 : 0,
+        book.show.reduce((bits, overlay) => bits | (1 << this.overlays.indexOf(overlay)), 0));
     }
     const room = this.#wasm.malloc(8 * numbers.length);
     new Float64Array(this.#wasm.memory.buffer, room, numbers.length).set(numbers);
@@ -66,5 +68,29 @@ class Engine {
   // Of all frames so far, as live.h says; to be asked for anew after advance().
   track(book) {
     return new Float64Array(this.#wasm.memory.buffer, this.#wasm.live_track(this.#scene, book), this.frames * this.doubles);
+  }
+
+  // The hardcover, coarse (1) or fine (4).
+  mesh(fineness) {
+    const at = this.#wasm.live_mesh(fineness);
+    const { buffer } = this.#wasm.memory;  // of now: the module may have grown
+    const numbers = new Uint32Array(buffer, at, 14);
+    const list = (Kind, i) => new Kind(buffer, numbers[2 * i], numbers[2 * i + 1]).slice();
+    return { vertices: list(Float32Array, 0), borders: list(Float32Array, 1), parts: [2, 3, 4, 5, 6].map((i) => list(Uint16Array, i)) };
+  }
+
+  // What a frame shows: a kind and its numbers, item after item, until the next call.
+  *picture(frame, from, zoom, width, height) {
+    const room = this.#wasm.malloc(24);
+    new Float64Array(this.#wasm.memory.buffer, room, 3).set(from);
+    let at = this.#wasm.live_picture(this.#scene, frame, room, zoom, width, height);
+    this.#wasm.free(room);
+    const { buffer } = this.#wasm.memory;
+    while (true) {
+      const [kind, count] = new Float32Array(buffer, at, 2);
+      if (kind < 0) return;
+      yield [kind, new Float32Array(buffer, at + 8, count)];
+      at += 8 + 4 * count;
+    }
   }
 }

@@ -207,7 +207,7 @@ function nameFolder(folder) {
 }
 
 document.querySelectorAll(".film").forEach(connect);
-for (const button of document.querySelectorAll(".copy")) {
+for (const button of document.querySelectorAll("[data-copy]")) {
   button.hidden = false;
   button.addEventListener("click", () => copy(button));
 }

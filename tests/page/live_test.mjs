@@ -1,0 +1,345 @@
+// What a student does with the live panel, in headless Chromium: live_test.mjs FOLDER BOOKSPIN
+// FOLDER holds site/ and node_modules/. Prints one line a check; exit code 1 when one fails.
+
+import { execFileSync } from "node:child_process";
+import { createRequire } from "node:module";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const [folder, bookspin] = process.argv.slice(2);
+const require = createRequire(join(folder, "node_modules", "x.js"));
+const { chromium } = require("playwright-core");
+const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
+const address = pathToFileURL(join(folder, "site", "index.html")).href;
+if (!readFileSync(join(folder, "site", "index.html"), "utf8").includes('id="live-data"')) {
+  console.log("the page has no live panel: its module could not be built (docs/LIVE.md)");
+  process.exit(0);
+}
+
+let failed = 0;
+async function check(name, work) {
+  const start = Date.now();
+  try {
+    await work();
+    console.log(`ok      live: ${name} (${((Date.now() - start) / 1000).toFixed(1)} s)`);
+  } catch (error) {
+    ++failed;
+    console.log(`FAILED  live: ${name}\n        ${String(error.stack ?? error).split("\n").slice(0, 4).join("\n        ")}`);
+  }
+}
+function expect(condition, message) {
+  if (!condition) throw new Error(message);
+}
+
+const launch = (...more) => chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+  args: ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync", ...more] });
+const browser = await launch("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader");
+
+// A page whose every complaint, and every request that leaves it, is an error; its panel there and in sight.
+async function open(hash = "", options = {}) {
+  const context = await browser.newContext({ viewport: { width: 640, height: 700 }, reducedMotion: "reduce", ...options });
+  context.setDefaultTimeout(120000);
+  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+  const page = await context.newPage();
+  page.complaints = [];
+  page.on("console", (message) => {
+    if (message.type() !== "log" && !/GPU stall/.test(message.text())) page.complaints.push(`console ${message.type()}: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => page.complaints.push(`uncaught: ${error.message}`));
+  page.on("request", (request) => { if (!/^(file|data):/.test(request.url())) page.complaints.push(`request to ${request.url()}`); });
+  await page.goto(address + hash);
+  await page.waitForFunction(() => document.getElementById("live").panel);
+  await page.locator("#live .live-grid").scrollIntoViewIfNeeded();
+  await complete(page);
+  return page;
+}
+async function close(page) {
+  await page.context().close();
+  expect(page.complaints.length === 0, page.complaints.join("; "));
+}
+const complete = (page) => page.waitForFunction(() => document.getElementById("live").panel.complete);
+const panel = (page, look) => page.evaluate(`((panel) => (${look}))(document.getElementById("live").panel)`);
+async function is(page, look, wanted) {
+  const now = await panel(page, look);
+  expect(JSON.stringify(now) === JSON.stringify(wanted), `${look}: ${JSON.stringify(now)}, not ${JSON.stringify(wanted)}`);
+}
+const control = (page, name) => page.locator(`#live [name="${name}"]`);
+
+await check("every control changes what it says, and the address", async () => {
+  const page = await open();
+  const slide = async (name, look) => {
+    const was = await panel(page, look);
+    await control(page, name).focus();
+    await page.keyboard.press("ArrowRight");
+    const now = await panel(page, look);
+    expect(now > was, `${name}: ${was}, then ${now}`);
+    const said = await control(page, name).getAttribute("aria-valuetext");
+    expect(said === (await control(page, name).locator("xpath=ancestor::p").locator("output").textContent()), said);
+    expect((await page.evaluate(() => location.hash)).includes(`${name}=`), `${name} is not in the address`);
+  };
+  for (const [name, key] of [["kick", "jiggle"], ["stiffness", "stiffness"], ["mass", "particle_mass"], ["damping", "damping"], ["every", "normalize_every"]]) {
+    await slide(name, `panel.book.${key}`);
+  }
+  await slide("time", "panel.scene.time_per_frame");
+  await slide("steps", "panel.scene.substeps");
+  for (const [axis, at] of [["1", 1], ["2", 2], ["0", 0]]) {
+    await page.locator(`#live [name="axis"][value="${axis}"]`).click();
+    await is(page, "panel.book.angular_velocity.map((x) => x > 0)", [0, 1, 2].map((d) => d === at));
+  }
+  for (const name of ["ghost", "springs"]) {
+    await control(page, name).click();
+    await is(page, `panel.book.show.includes("${name === "ghost" ? "exact" : name}")`, true);
+  }
+  await control(page, "trace").click();
+  await is(page, 'panel.book.show.includes("trace")', false);
+  await control(page, "damping").focus();
+  await page.keyboard.press("Home");
+  await control(page, "integrator").selectOption("velocity_verlet");
+  await is(page, "panel.book.integrator", "velocity_verlet");
+  for (const method of ["matrix", "quaternion", "exact", "springs"]) {
+    await page.locator(`#live [name="method"][value="${method}"]`).click();
+    await is(page, "panel.book.method", method);
+    expect((await control(page, "stiffness").isVisible()) === (method === "springs"), `stiffness of ${method}`);
+    expect((await control(page, "steps").isVisible()) === (method !== "exact"), `steps of ${method}`);
+    await complete(page);
+    expect(/turn|explode/.test(await page.locator("#live-told").textContent()), "it is not told in words");
+  }
+  await page.locator('#live [data-live="anew"]').click();
+  await is(page, "JSON.stringify(panel.scene) === JSON.stringify(homeScene)", true);
+  await close(page);
+});
+
+await check("the original's keys", async () => {
+  const page = await open();
+  const canvas = page.locator("#live .live-stage canvas");
+  await canvas.focus();
+  const keys = [["2", "panel.book.angular_velocity[1] > 0", true], ["3", "panel.book.angular_velocity[2] > 0", true], ["1", "panel.book.angular_velocity[0] > 0", true],
+    ["8", "panel.book.method", "matrix"], ["9", "panel.book.method", "quaternion"], ["0", "panel.book.method", "exact"], ["7", "panel.book.method", "springs"],
+    ["n", "panel.book.normalize_every", 0], ["n", "panel.book.normalize_every", 1], ["d", "panel.book.damping", 0], ["d", "panel.book.damping", 1],
+    ["+", "panel.scene.time_per_frame > 0.5", true], ["-", "panel.scene.time_per_frame <= 0.5", true], ["*", "panel.scene.substeps > 30", true],
+    ["/", "panel.scene.substeps <= 30", true], ["e", "panel.withFigures", false], ["e", "panel.withFigures", true], ["g", 'panel.book.show.includes("exact")', true],
+    [" ", "panel.playing", true], [" ", "panel.playing", false], ["r", "panel.place", 0], [".", "panel.place", 1], [".", "panel.place", 2], [",", "panel.place", 1],
+    ["s", "panel.rate", 2], ["ArrowRight", "panel.from[0] > 0.4", true], ["v", "panel.from", [0.35, 0.3, 1]]];
+  for (const [key, look, wanted] of keys) {
+    await page.keyboard.press(key);
+    await is(page, look, wanted);
+  }
+  await page.keyboard.press("Control+r").catch(() => {});
+  await close(page);
+});
+
+await check("its buttons, its time and a drag in the picture", async () => {
+  const page = await open();
+  const press = (name) => page.locator(`#live [data-do="${name}"]`).click();
+  await press("on");
+  await is(page, "panel.place", 1);
+  await press("back");
+  await is(page, "panel.place", 0);
+  await press("play");
+  await page.waitForFunction(() => document.getElementById("live").panel.place > 2);
+  await press("play");
+  await is(page, "panel.playing", false);
+  await press("restart");
+  await is(page, "panel.place", 0);
+  await press("speed");
+  await is(page, "panel.rate", 2);
+  const seek = page.locator("#live .seek");
+  await seek.scrollIntoViewIfNeeded();
+  const bar = await seek.boundingBox();
+  await page.mouse.click(bar.x + bar.width / 2, bar.y + 20);
+  await is(page, "Math.abs(panel.place / panel.end - 0.5) < 0.01", true);
+  await seek.press("End");
+  await is(page, "panel.place === panel.end - 1", true);
+  await page.waitForFunction(() => Number(document.querySelector("#live .seek").getAttribute("aria-valuenow")) === document.getElementById("live").panel.end - 1);
+  const canvas = page.locator("#live .live-stage canvas");
+  await canvas.scrollIntoViewIfNeeded();
+  const box = await canvas.boundingBox();
+  await page.mouse.move(box.x + 100, box.y + 100);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 220, box.y + 130, { steps: 4 });
+  await page.mouse.up();
+  await is(page, "panel.from[0] < 0 && panel.from[1] > 0.3", true);
+  await press("view");
+  await is(page, "panel.from", [0.35, 0.3, 1]);
+  await close(page);
+});
+
+// The picture: how many of its pixels are not background, in each of four quarters.
+const inked = (page) => page.evaluate(() => {
+  const { panel } = document.getElementById("live");
+  panel.draw();
+  const { gl, canvas } = panel.painter;
+  const pixels = new Uint8Array(4 * canvas.width * canvas.height);
+  gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  let count = 0;
+  for (let i = 0; i < pixels.length; i += 4) if (Math.abs(pixels[i] - 32) + Math.abs(pixels[i + 1] - 39) + Math.abs(pixels[i + 2] - 49) > 12) ++count;
+  return count / (canvas.width * canvas.height);
+});
+
+await check("a book is drawn, and again after the context was lost", async () => {
+  const page = await open("#live?show=exact.trace.springs");
+  const before = await inked(page);
+  expect(before > 0.05 && before < 0.6, `${before} of the picture`);
+  await page.evaluate(() => {
+    const { gl } = document.getElementById("live").panel.painter;
+    const extension = gl.getExtension("WEBGL_lose_context");
+    extension.loseContext();
+    setTimeout(() => extension.restoreContext(), 100);
+  });
+  await page.waitForFunction(() => document.getElementById("live").panel.painter.gl.isContextLost());
+  await page.waitForFunction(() => !document.getElementById("live").panel.painter.gl.isContextLost());
+  await page.waitForTimeout(300);
+  const after = await inked(page);
+  expect(Math.abs(after - before) < 0.001, `${after}, was ${before}`);
+  page.complaints = page.complaints.filter((text) => !/CONTEXT_LOST_WEBGL/.test(text));
+  await close(page);
+});
+
+await check("k is raised until it explodes; the script that is copied explodes in the same frame", async () => {
+  const page = await open("#live?every=0");
+  await control(page, "stiffness").focus();
+  for (let i = 0; i < 60 && (await panel(page, "panel.engine.exploded(0)")) < 0; ++i) {
+    await page.keyboard.press("ArrowRight");
+    await complete(page);
+  }
+  const frame = await panel(page, "panel.engine.exploded(0)");
+  expect(frame > 0, "it never explodes");
+  expect((await page.locator("#live-told").textContent()).includes("explodes at t ="), "the moment is not told");
+  await page.locator('#live [data-live="script"]').click();
+  await page.waitForFunction(() => document.getElementById("status").textContent !== "");
+  const script = await page.evaluate(() => navigator.clipboard.readText());
+  const file = join(folder, "copied.toml");
+  writeFileSync(file, script);
+  const rows = execFileSync(bookspin, ["trajectory", file], { encoding: "utf8", maxBuffer: 1 << 28 }).trim().split("\n").map((row) => row.split(","));
+  const exploded = rows[0].indexOf("exploded");
+  const found = rows.slice(1).find((row) => Number(row[exploded]) === 1);
+  expect(Number(found[0]) === frame, `frame ${found[0]} by the program, ${frame} here`);
+  await close(page);
+});
+
+await check("every film's scene is taken over, and its script gives that scene", async () => {
+  const page = await open();
+  const films = await page.evaluate(() => Object.keys(liveData.films));
+  expect(films.length >= 12, `${films.length} films`);
+  for (const id of films) {
+    const { script, scene } = await page.evaluate((name) => {
+      const { scene } = liveData.films[name];
+      return { scene, script: scriptOf(scene, scene.from) };
+    }, id);
+    const file = join(folder, "taken.toml");
+    writeFileSync(file, script);
+    const again = JSON.parse(execFileSync(bookspin, ["scene", file], { encoding: "utf8" }));
+    for (const key of Object.keys(scene)) expect(JSON.stringify(again[key]) === JSON.stringify(scene[key]), `${id}: ${key}: ${JSON.stringify(again[key])}, not ${JSON.stringify(scene[key])}`);
+  }
+  for (const id of ["fig12_pulsating_quaternion", "compare_methods"]) {
+    await page.locator(`[data-take="${id}"]`).click();
+    await is(page, "panel.film", id);
+    await page.waitForFunction(() => {
+      const { top } = document.getElementById("live").getBoundingClientRect();
+      const rests = window.lastTop === top;
+      window.lastTop = top;
+      return rests && Math.abs(top) < 60;
+    }, null, { polling: 200 });
+    await complete(page);
+    expect((await inked(page)) > 0.02, `${id} is not to be seen`);
+  }
+  await control(page, "book").selectOption("2");
+  await control(page, "steps").focus();
+  await page.keyboard.press("ArrowLeft");
+  expect((await page.evaluate(() => location.hash)).startsWith("#live?film=compare_methods&steps="), await page.evaluate(() => location.hash));
+  await close(page);
+});
+
+await check("an address gives the scene that gave it", async () => {
+  const page = await open("#live?film=fig02_experiment&time=0.123&method1=matrix&every1=7&kick2=0.05&show=exact.springs&from=1_0.5_-2");
+  const state = 'JSON.stringify([panel.film, panel.scene, panel.from])';
+  const was = await panel(page, state);
+  expect(was.includes('"normalize_every":7') && was.includes('"jiggle":0.05') && was.includes("0.123") && was.includes("[1,0.5,-2]"), was);
+  const hash = await page.evaluate(() => location.hash);
+  await close(page);
+  const again = await open(hash);
+  expect((await panel(again, state)) === was, "another scene");
+  // A link within the page, too; and back again.
+  await again.locator('#live .live-try a').nth(2).click();
+  await again.waitForFunction(() => document.getElementById("live").panel.scene.books[0].stiffness === 75);
+  await close(again);
+});
+
+await check("hostile addresses are harmless", async () => {
+  const home = await (async () => {
+    const page = await open();
+    const scene = await panel(page, "JSON.stringify(panel.scene)");
+    await close(page);
+    return scene;
+  })();
+  for (const hash of ["#live?film=__proto__", "#live?film=%3Cscript%3Ealert(1)%3C/script%3E", "#live?stiffness=1e999&mass=-1&kick=NaN&time=0&steps=1e9",
+    "#live?steps=2.5&every=1.5&damping=", "#live?method=constructor&integrator=dmv&axis=w&show=__proto__.<img>", "#live?from=0_1_0", "#live?from=1e9_2_x",
+    "#live?" + "stiffness=1&".repeat(1) .replace("stiffness=1", "nothing=1") + "x".repeat(20000), "#live?%", "#live?time=Infinity&stiffness=0x&mass=%00"]) {
+    const page = await open(hash);
+    expect((await panel(page, "JSON.stringify(panel.scene)")) === home, `${hash.slice(0, 60)}: ${await panel(page, "JSON.stringify(panel.scene)")}`);
+    await is(page, "panel.from", [0.35, 0.3, 1]);
+    await close(page);
+  }
+});
+
+await check("it plays in sight, rests out of sight, and is paused for those who want less motion", async () => {
+  const calm = await open();
+  await is(calm, "panel.playing", false);
+  await close(calm);
+  const page = await open("", { reducedMotion: "no-preference" });
+  await page.waitForFunction(() => document.getElementById("live").panel.place > 1);
+  await page.evaluate(() => document.querySelector("footer").scrollIntoView({ behavior: "instant" }));
+  await page.waitForFunction(() => !document.getElementById("live").panel.inSight);
+  await page.waitForTimeout(300);
+  const place = await panel(page, "panel.place");
+  await page.waitForTimeout(600);
+  await is(page, "panel.place", place);
+  await close(page);
+});
+
+for (const width of [360, 1280]) {
+  for (const colorScheme of ["light", "dark"]) {
+    await check(`accessible at ${width} pixels, ${colorScheme}`, async () => {
+      const page = await open("", { viewport: { width, height: 700 }, colorScheme });
+      await page.locator("#live summary").click();
+      await page.evaluate(axe);
+      const { violations } = await page.evaluate(() => globalThis.axe.run("#live", { resultTypes: ["violations"] }));
+      expect(violations.length === 0, violations.map((v) => `${v.id} (${v.nodes.length}): ${v.nodes[0].html.slice(0, 120)} ${v.nodes[0].failureSummary}`).join("; "));
+      const wide = await page.evaluate(() => [...document.querySelectorAll("#live *")].filter((e) => !e.closest("pre, svg") && e.getBoundingClientRect().right > innerWidth + 0.5).map((e) => e.outerHTML.slice(0, 80)));
+      expect(wide.length === 0, `too wide: ${wide.slice(0, 3)}`);
+      const live = await page.locator("#live [aria-live], #live output, #live [role=status]").evaluateAll((all) => all.filter((e) => e.ariaLive !== "off").length);
+      expect(live === 0, `${live} live regions`);
+      await close(page);
+    });
+  }
+}
+
+await check("by touch at 360 pixels", async () => {
+  const page = await open("", { viewport: { width: 360, height: 700 }, hasTouch: true, isMobile: true });
+  await page.locator('#live [name="axis"][value="2"]').tap();
+  await is(page, "panel.book.angular_velocity[2] > 0", true);
+  await page.locator('#live [data-do="play"]').tap();
+  await page.waitForFunction(() => document.getElementById("live").panel.place > 1);
+  const small = await page.locator("#live button, #live fieldset label").evaluateAll((all) => all.filter((e) => e.offsetParent && e.getBoundingClientRect().height < 24).length);
+  expect(small === 0, `${small} targets below 24 pixels`);
+  await close(page);
+});
+await browser.close();
+
+await check("without WebGL2 the films are there, and nothing is said", async () => {
+  const poor = await launch("--disable-3d-apis");
+  const page = await poor.newPage();
+  const complaints = [];
+  page.on("console", (message) => complaints.push(message.text()));
+  page.on("pageerror", (error) => complaints.push(error.message));
+  await page.goto(address);
+  await page.waitForTimeout(500);
+  expect(await page.locator("#live").isHidden(), "a panel that cannot draw");
+  expect((await page.locator("[data-take]:visible").count()) === 0, "a button that does nothing");
+  expect(complaints.length === 0, complaints.join("; "));
+  await poor.close();
+});
+
+console.log(failed === 0 ? "all well" : `${failed} failed`);
+process.exitCode = failed === 0 ? 0 : 1;
