@@ -44,7 +44,7 @@ fs::path find_assets(const std::string& option) {
 std::optional<fs::path> find_live_module(const fs::path& assets) {
   std::error_code unknown;
   const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
-  for (const fs::path& file : {assets / "live" / "live.wasm", program.parent_path() / "live" / "live.wasm"}) {
+  for (const fs::path& file : {program.parent_path() / "live" / "live.wasm", assets / "live" / "live.wasm"}) {
     if (fs::is_regular_file(file)) return file;
   }
   return {};

@@ -13,8 +13,8 @@ namespace bookspin {
 
 [[nodiscard]] std::filesystem::path find_assets(const std::string& option);
 
-// The motion in WebAssembly (src/live): among the assets as installed, or where the program was built. None where it
-// could not be built.
+// The motion in WebAssembly (src/live): where the program was built, or among the assets. None where it could not be
+// built.
 [[nodiscard]] std::optional<std::filesystem::path> find_live_module(const std::filesystem::path& assets);
 
 }  // namespace bookspin

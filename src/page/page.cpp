@@ -194,7 +194,8 @@ std::string base64(const std::string& bytes) {
 
 // A scene that the panel can show and say again as a script to the last digit.
 bool can_be_live(const Json& scene) {
-  return scene.is_object() && scene.value("frames", 0) > 1 && scene.value("substeps", 0) <= 20000 && scene.contains("books") && scene["books"].is_array() &&
+  return scene.is_object() && scene.value("frames", 0) > 1 && scene.value("substeps", 0) <= 20000 &&
+         scene.contains("books") && scene["books"].is_array() &&
          std::all_of(scene["books"].begin(), scene["books"].end(), [](const Json& book) {
            return book.is_object() && book.contains("orientation") && book["orientation"].is_null() &&
                   book.contains("moments") && book["moments"] == Json{0.0, 0.0, 0.0};

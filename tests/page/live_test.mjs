@@ -197,7 +197,7 @@ await check("a book is drawn, and again after the context was lost", async () =>
 });
 
 await check("k is raised until it explodes; the script that is copied explodes in the same frame", async () => {
-  const page = await open("#live?every=0");
+  const page = await open("#live?every=0&stiffness=50");
   await control(page, "stiffness").focus();
   for (let i = 0; i < 60 && (await panel(page, "panel.engine.exploded(0)")) < 0; ++i) {
     await page.keyboard.press("ArrowRight");
@@ -218,6 +218,8 @@ await check("k is raised until it explodes; the script that is copied explodes i
   await close(page);
 });
 
+const ordered = (value) => JSON.stringify(value, (_, part) => (part && part.constructor === Object ? Object.fromEntries(Object.entries(part).sort()) : part));
+
 await check("every film's scene is taken over, and its script gives that scene", async () => {
   const page = await open();
   const films = await page.evaluate(() => Object.keys(liveData.films));
@@ -230,7 +232,8 @@ await check("every film's scene is taken over, and its script gives that scene",
     const file = join(folder, "taken.toml");
     writeFileSync(file, script);
     const again = JSON.parse(execFileSync(bookspin, ["scene", file], { encoding: "utf8" }));
-    for (const key of Object.keys(scene)) expect(JSON.stringify(again[key]) === JSON.stringify(scene[key]), `${id}: ${key}: ${JSON.stringify(again[key])}, not ${JSON.stringify(scene[key])}`);
+    const [is, was] = [again, scene].map(ordered);
+    expect(is === was, `${id}: ${is}, not ${was}`);
   }
   for (const id of ["fig12_pulsating_quaternion", "compare_methods"]) {
     await page.locator(`[data-take="${id}"]`).click();
@@ -275,7 +278,7 @@ await check("hostile addresses are harmless", async () => {
   })();
   for (const hash of ["#live?film=__proto__", "#live?film=%3Cscript%3Ealert(1)%3C/script%3E", "#live?stiffness=1e999&mass=-1&kick=NaN&time=0&steps=1e9",
     "#live?steps=2.5&every=1.5&damping=", "#live?method=constructor&integrator=dmv&axis=w&show=__proto__.<img>", "#live?from=0_1_0", "#live?from=1e9_2_x",
-    "#live?" + "stiffness=1&".repeat(1) .replace("stiffness=1", "nothing=1") + "x".repeat(20000), "#live?%", "#live?time=Infinity&stiffness=0x&mass=%00"]) {
+    "#live?" + "x".repeat(20000), "#live?%", "#live?time=Infinity&stiffness=0x&mass=%00"]) {
     const page = await open(hash);
     expect((await panel(page, "JSON.stringify(panel.scene)")) === home, `${hash.slice(0, 60)}: ${await panel(page, "JSON.stringify(panel.scene)")}`);
     await is(page, "panel.from", [0.35, 0.3, 1]);

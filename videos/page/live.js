@@ -238,7 +238,7 @@ function scriptOf(scene, from) {
 
 // The curves of one chart: a canvas, drawn anew when there is more to see.
 const curveColors = ["#e69f00", "#56b4e9", "#29b58c", "#f0e442", "#d98cb8"];
-function drawChart(canvas, panels, share) {
+function drawChart(canvas, panels, share, times) {
   const scale = devicePixelRatio || 1;
   const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
   const [width, height] = [canvas.clientWidth, canvas.clientHeight];
@@ -248,7 +248,13 @@ function drawChart(canvas, panels, share) {
   pen.scale(scale, scale);
   const [left, right] = [2.9 * rem, width - 0.9 * rem];
   pen.font = `${0.74 * rem}px ${getComputedStyle(canvas).fontFamily}`;
-  const room = (height - 0.4 * rem) / panels.length;
+  const room = (height - 1.1 * rem) / panels.length;
+  pen.fillStyle = "#a9b3c2";
+  times.forEach((time, i) => {
+    const part = i / (times.length - 1);
+    pen.textAlign = part === 0 ? "left" : part === 1 ? "right" : "center";
+    pen.fillText(i === 0 ? `t = ${time}` : time, left + part * (right - left), height - 0.45 * rem);
+  });
   panels.forEach((panel, row) => {
     const [head, foot] = [row * room + 1.55 * rem, (row + 1) * room - 0.45 * rem];
     let [low, high] = [panel.low, panel.high];
@@ -391,7 +397,8 @@ class Panel {
     const start = performance.now();
     const quantity = (name) => 38 + this.engine.quantities.findIndex((q) => q.name === name);
     const extent = quantity("extent");
-    while (!this.complete && performance.now() - start < 9) {
+    const missing = this.engine.frames <= this.place;
+    while (!this.complete && performance.now() - start < (this.playing ? 9 : 25)) {
       this.engine.advance(Math.max(1, Math.min(8, Math.floor(2000 / this.scene.substeps))));
       const tracks = this.scene.books.map((_, b) => this.engine.track(b));
       const last = (this.engine.frames - 1) * this.engine.doubles + extent;
@@ -399,7 +406,7 @@ class Panel {
       if (this.end === this.length && tracks.every((track) => !(track[last] < 8))) this.end = Math.min(this.length, this.engine.frames + this.scene.fps);
       this.complete = this.engine.frames >= this.end;
     }
-    this.drawn = false;
+    if (missing || this.complete) this.drawn = false;
     this.charted = false;
     if (this.complete) this.tell();
   }
@@ -616,7 +623,7 @@ class Panel {
     const one = scene.books.length === 1;
     const panels = [one ? panelOf("tilt", ...(this.book.show.includes("exact") ? ["exact_tilt"] : [])) : panelOf("tilt"),
       one ? panelOf("energy_ratio", "angular_momentum_ratio") : panelOf("energy_ratio"), panelOf("angle_error")].filter((panel) => panel.curves.length > 0);
-    drawChart(this.chart, panels, 1 / Math.max(1, this.end - 1));
+    drawChart(this.chart, panels, 1 / Math.max(1, this.end - 1), [0, 1, 2, 3, 4].map((n) => this.timeOf(Math.round(((this.end - 1) * n) / 4))));
     this.charted = true;
   }
 
