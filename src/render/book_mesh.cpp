@@ -213,18 +213,30 @@ void add_boards(Builder& builder, const Divisions& n) {
   }
 }
 
-// The insides of the boards and the spine, lined with paper, seen only where they stand out over the pages: in the
-// shade.
+// How far the fore-edge of the pages lies within their corner, by height between the covers.
+double hollow(double w) {
+  return fore_edge_hollow * std::sqrt(1 - std::pow(2 * w - 1, 2));
+}
+
+// The insides of the boards and the spine, lined with paper and in the shade. Only where they stand out over the pages: the
+// rest, which is never seen, would cost half of a book's drawing.
 void add_insides(Builder& builder, const Divisions& n) {
-  for (const bool is_front : {true, false}) {
-    const double w = is_front ? 1 - board : board;
-    const double nw = is_front ? -1 : 1;
-    builder.grid(BookPart::insides, n.inside + 1, n.rows + 1, [&](int column, int row) {
-      const double from_fore_edge = static_cast<double>(is_front ? column : n.inside - column) / n.inside;
-      const double u = 1 - from_fore_edge * (1 - bulge);
-      return Vertex{u, static_cast<double>(row) / n.rows, w, 0, 0, nw, 0.5, 0.5, 0.16};
+  constexpr double tuck = 0.005;  // under the pages
+  const double margin = overhang_y + tuck, pages_end = 1 - overhang_x - hollow(board) - tuck;
+  const auto board_inside = [&](bool is_front, int columns, double u0, int rows, double v0, double v1) {
+    builder.grid(BookPart::insides, columns + 1, rows + 1, [&](int column, int row) {
+      const double from_fore_edge = static_cast<double>(is_front ? column : columns - column) / columns;
+      return Vertex{1 - from_fore_edge * (1 - u0),
+                    v0 + (v1 - v0) * row / rows,
+                    is_front ? 1 - board : board,
+                    0,
+                    0,
+                    is_front ? -1.0 : 1.0,
+                    0.5,
+                    0.5,
+                    0.16};
     });
-  }
+  };
   const Profile inside = spine(n, shell, board);
   Profile facing_in;
   for (std::size_t i = inside.points.size(); i-- > 0;) {
@@ -232,7 +244,11 @@ void add_insides(Builder& builder, const Divisions& n) {
     facing_in.normals.push_back({-inside.normals[i].u, -inside.normals[i].w});
     facing_in.texture.push_back(0.5);
   }
-  builder.extrude(BookPart::insides, facing_in, 0, 1, n.inside, 0.14);
+  for (const double v0 : {0.0, 1 - margin}) {
+    for (const bool is_front : {true, false}) board_inside(is_front, n.inside, bulge, 1, v0, v0 + margin);
+    builder.extrude(BookPart::insides, facing_in, v0, v0 + margin, 1, 0.14);
+  }
+  for (const bool is_front : {true, false}) board_inside(is_front, 1, pages_end, n.rows, margin, 1 - margin);
 }
 
 void add_spine(Builder& builder, const Divisions& n) {
@@ -248,7 +264,6 @@ void add_spine(Builder& builder, const Divisions& n) {
 void add_pages(Builder& builder, const Divisions& n) {
   const double v0 = overhang_y, v1 = 1 - overhang_y, end = 1 - overhang_x;
   const auto w_at = [&](int i) { return board + (1 - 2 * board) * i / n.across; };
-  const auto hollow = [&](double w) { return fore_edge_hollow * std::sqrt(1 - std::pow(2 * w - 1, 2)); };
   builder.grid(BookPart::pages, n.across + 1, n.rows + 1,
                [&](int column, int row) {  // fore-edge, seen from +x: right is -w
                  const double w = w_at(n.across - column);
