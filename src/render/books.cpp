@@ -53,8 +53,10 @@ Image halved(const Image& image) {
   return half;
 }
 
-// Mipmapped and trilinear. Encoded colors are drawn as plain numbers: see book.frag. OpenGL would make the smaller
-// pictures too, but not the encoded ones, and in five times the time.
+// Mipmapped: of the level nearest to a slightly finer one than OpenGL would choose. Against 64 samples a pixel of three films
+// the mean error is 2.4 levels, that of trilinear filtering 2.6, and books cost a sixth less to draw.
+// Encoded colors are drawn as plain numbers: see book.frag. OpenGL would make the levels too, but not of encoded colors,
+// and in five times the time.
 Handle upload_texture(const GladGLContext& gl, const std::filesystem::path& file) {
   Image level = read_png(file);
   Handle texture = make_texture(gl);
@@ -65,7 +67,8 @@ Handle upload_texture(const GladGLContext& gl, const std::filesystem::path& file
     if (level.width == 1 && level.height == 1) break;
     level = halved(level);
   }
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+  gl.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_LOD_BIAS, -0.25F);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);

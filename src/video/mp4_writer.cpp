@@ -11,10 +11,14 @@
 namespace bookspin {
 namespace {
 
-// Measured at 1280x720: "superfast" saves a fifth of the time and triples the file; "faster" takes 1.8 times as long
-// and gains 1 dB.
+// Chosen among 30 settings, measured on short pieces of the project's films at 1280x720. Against veryfast at a rate factor of
+// 20 these take 0.53 of the time for 1.17 of the bytes at 0.3 dB less (luma, 43.5 dB on average). Tumbling books are large
+// surfaces in even motion: what looks ahead (mbtree, lookahead, adaptive B pictures) costs a third and finds little, as do
+// finer steps of the motion search (subme) and blocks of 8x8 in B pictures. Without blocks of 8x8 in P pictures: 0.50 of the
+// time, 0.2 dB less. The preset "superfast" triples the bytes.
 constexpr const char* preset = "veryfast";
-constexpr const char* quality = "20";  // constant rate factor
+constexpr const char* quality = "24";  // constant rate factor
+constexpr const char* speed = "subme=1:mbtree=0:rc-lookahead=0:b-adapt=0:partitions=i4x4,i8x8,p8x8";
 
 std::string size_text(int width, int height) {
   return std::to_string(width) + "x" + std::to_string(height);
@@ -134,7 +138,7 @@ void Mp4Writer::Film::open_encoder() {
   av_dict_set(&options, "preset", preset, 0);
   av_dict_set(&options, "profile", "high", 0);
   av_dict_set(&options, "crf", quality, 0);
-  av_dict_set(&options, "x264-params", "scenecut=0:cpu-independent=1", 0);
+  av_dict_set(&options, "x264-params", (std::string("scenecut=0:cpu-independent=1:") + speed).c_str(), 0);
   const int opened = avcodec_open2(encoder.get(), codec, &options);
   const Libav<AVDictionary> unknown(options);
   check(opened, "open the H.264 encoder");
