@@ -1,7 +1,7 @@
 # The front door. Each target works alone on a fresh Debian: it installs what is missing, builds, and runs.
 
 .NOTPARALLEL:  # two builds in one folder break it; each build uses every core by itself
-.PHONY: figures gallery test page report bench golden package matrix clean
+.PHONY: figures gallery test page report bench golden package matrix sanitize clean
 
 # Every film, the course page around them, and where there is no report one made in seconds, to which the page links: videos/site/.
 figures: program
@@ -46,6 +46,12 @@ package: configured
 # Both commands in fresh roots of other releases of Debian and Ubuntu, for maintainers: docs/SYSTEMS.md.
 matrix:
 	tools/matrix $(SUITES)
+
+# The tests, but for those in browsers, under sanitizers for addresses and undefined behavior.
+sanitize: packages
+	cmake --preset sanitize --log-level=WARNING >/dev/null
+	cmake --build build-sanitize
+	ctest --preset sanitize -E page_browser
 
 clean:
 	rm -rf build build-debug build-sanitize videos/site
