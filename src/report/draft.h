@@ -34,8 +34,8 @@ struct ModelError {
 struct RigidCase {
   Problem problem;
   std::string letter;  // a, b, c, d
-  Eigen::Vector3d I_B;
-  Eigen::Vector3d L_W;
+  Eigen::Vector3d I_B = Eigen::Vector3d::Zero();
+  Eigen::Vector3d L_W = Eigen::Vector3d::Zero();
   double T = 0.0;
   std::vector<Eigen::Quaterniond> q_WB;  // at the samples T / n, 2 T / n, ... T
 

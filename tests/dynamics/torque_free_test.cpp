@@ -242,9 +242,9 @@ TEST(TorqueFree, RejectsWhatIsNoBody) {
   EXPECT_THROW(make(book, Quaterniond(nan, 0, 0, 1), L), std::invalid_argument);
   EXPECT_THROW(make(book, Quaterniond::Identity(), {1, infinite, 0}), std::invalid_argument);
   EXPECT_THROW(make(book, Quaterniond(0, 0, 1, 0), {1.5e308, 1.5e308, 1.5e308}), std::invalid_argument);
-  EXPECT_THROW(TorqueFree::of_book({1, 0, 0}, L), std::invalid_argument);
-  EXPECT_THROW(TorqueFree::of_book({1, infinite, 1}, L), std::invalid_argument);
-  EXPECT_THROW(TorqueFree::of_book({1, 2, 3}, {1, nan, 0}), std::invalid_argument);
+  EXPECT_THROW((void)TorqueFree::of_book({1, 0, 0}, L), std::invalid_argument);
+  EXPECT_THROW((void)TorqueFree::of_book({1, infinite, 1}, L), std::invalid_argument);
+  EXPECT_THROW((void)TorqueFree::of_book({1, 2, 3}, {1, nan, 0}), std::invalid_argument);
   EXPECT_THROW(make(1e-300 * book, Quaterniond::Identity(), 1e300 * L), std::invalid_argument);
 }
 
