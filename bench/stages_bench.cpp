@@ -49,10 +49,10 @@ void stages(const fs::path& script, const fs::path& folder) {
              cost.renderer);
   fmt::print("  dynamics    {:7.3f}\n  drawing     {:7.3f}\n  conversion  {:7.3f}\n", cost.dynamics, cost.drawing,
              cost.conversion);
-  fmt::print("  together    {:7.3f}   (floor: 10)\n", together);
-  fmt::print("  encoding    {:7.3f}\n", cost.encoding);
+  fmt::print("  together    {:7.3f}   (target: 4)\n", together);
+  fmt::print("  encoding    {:7.3f}   (target: 4.5)\n", cost.encoding);
   fmt::print("  a frame     {:7.3f}\n", together + cost.encoding);
-  fmt::print("peak memory of this film {:.0f} MB (floor: 400)\n", peak_mb(RUSAGE_SELF));
+  fmt::print("peak memory of this film {:.0f} MB (target: 400)\n", peak_mb(RUSAGE_SELF));
 }
 
 void whole_job(const fs::path& folder) {
@@ -71,7 +71,7 @@ void whole_job(const fs::path& folder) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const double cpu_seconds = children_seconds();
   const double frames = static_cast<double>(progress.frames_drawn.load());
-  fmt::print("whole job: {} films, {:.0f} frames in {:.1f} s by {} workers: {:.0f} frames/s (floor on 2 cores: 80)\n",
+  fmt::print("whole job: {} films, {:.0f} frames in {:.1f} s by {} workers: {:.0f} frames/s (target on 2 cores: 180)\n",
              films.size(), frames, seconds, workers, frames / seconds);
   fmt::print("  CPU time {:.1f} s: with every core to itself {:.0f} frames/s\n", cpu_seconds,
              frames * workers / cpu_seconds);
