@@ -162,8 +162,13 @@ int render_scenes(const Options& options) {
   const fs::path folder = folder_or(options.folder, "site");
   const fs::path assets = find_assets(options.assets);
   require_room(options.width, options.height);
-  const FilmSettings settings{options.width,     options.height,    options.first_frame,
-                              options.end_frame, options.overrides, fingerprint_of_drawing(assets)};
+  const FilmSettings settings{options.width,
+                              options.height,
+                              options.format,
+                              options.first_frame,
+                              options.end_frame,
+                              options.overrides,
+                              fingerprint_of_drawing(assets)};
   std::vector<Film> films;
   std::vector<std::string> not_made;  // names of scripts
   for (const std::string& script : options.scenes) {

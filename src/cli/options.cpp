@@ -93,6 +93,19 @@ void size_option(CLI::App& command, Options& options) {
   })->default_str(fmt::format("{}x{}", options.width, options.height));
 }
 
+void format_option(CLI::App& command, Options& options) {
+  command
+      .add_option("--format", options.format,
+                  "Of the films: a GIF has 20 of 60 frames, for slides; take a --size of 480x270")
+      ->type_name("mp4|webm|gif")
+      ->capture_default_str()
+      ->check([](const std::string& text) {
+        return text == "mp4" || text == "webm" || text == "gif"
+                   ? ""
+                   : fmt::format("found '{}'; allowed: mp4, webm, gif", text);
+      });
+}
+
 void frames_option(CLI::App& command, Options& options) {
   add(command, "--frames", "A:B", "Only frames A to B, B not included; either may be left out",
       [&options](const std::string& text) {
@@ -172,7 +185,7 @@ const std::vector<Command> commands{
     {"render",
      "Make films, with poster and data beside each",
      {scenes_argument, text(&Options::folder, "-o,--output", "DIR", "Folder of the films (default: site)"), size_option,
-      frames_option,
+      frames_option, format_option,
       [](auto& command, auto& options) {
         add_number(command, "-j,--jobs", options.jobs, 1, 256, "Films made at the same time (default: one a core)");
       },

@@ -22,6 +22,7 @@ struct Options {
   std::string assets;                  // empty: found (assets.h)
   int width = 1280;                    // pixels
   int height = 720;                    // pixels
+  std::string format = "mp4";
   int first_frame = 0;
   std::optional<int> end_frame;  // the first one not drawn; none: all to the end
   int frame = 0;

@@ -116,7 +116,7 @@ bool is_own(const Checksums& listed, const fs::path& file) {
   if (kind == ".json") return is_film_data(data) || is_report_data(data);
   if (is_film_data(data)) {
     if (kind == ".vtt") return text_in(file).starts_with("WEBVTT\n");
-    return has_all(data, {fmt::format("\n \"{}\": {}", kind == ".mp4" ? "film" : "poster", '"' + name + '"')});
+    return has_all(data, {fmt::format("\n \"{}\": {}", kind == ".png" ? "poster" : "film", '"' + name + '"')});
   }
   const std::string report = text_in(file.parent_path() / "report.json");
   return is_report_data(report) && (has_all(report, {fmt::format("\n \"{}\": [", file.stem().string())}) ||

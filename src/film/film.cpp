@@ -39,6 +39,7 @@ Film load_film(const fs::path& script, const FilmSettings& settings) {
   film.end_frame = settings.end_frame.value_or(film.scene.clip.frames);
   film.width = settings.width;
   film.height = settings.height;
+  film.format = settings.format;
   film.overrides = settings.overrides;
   film.drawn_by = settings.drawn_by;
   if (film.first_frame < 0 || film.first_frame >= film.end_frame || film.end_frame > film.scene.clip.frames) {
@@ -50,7 +51,7 @@ Film load_film(const fs::path& script, const FilmSettings& settings) {
 
 Products products(const Film& film, const fs::path& folder) {
   const std::string name = film.file.stem().string();
-  return {folder / (name + ".mp4"), folder / (name + ".png"), folder / (name + ".json")};
+  return {folder / (name + "." + film.format), folder / (name + ".png"), folder / (name + ".json")};
 }
 
 std::map<std::string, std::string> library_versions() {

@@ -19,6 +19,7 @@ namespace bookspin {
 struct FilmSettings {
   int width = 1280;                    // pixels, even
   int height = 720;                    // pixels, even
+  std::string format = "mp4";          // mp4, webm, gif
   int first_frame = 0;                 // of the scene's frames
   std::optional<int> end_frame;        // the first one not drawn; none: all to the end
   std::vector<std::string> overrides;  // as given, in order
@@ -33,6 +34,7 @@ struct Film {
   int end_frame = 0;  // the first one not drawn
   int width = 1280;   // pixels
   int height = 720;   // pixels
+  std::string format = "mp4";
   std::vector<std::string> overrides;
   std::string drawn_by;
 
@@ -44,7 +46,7 @@ struct Film {
 
 // What a film leaves in its folder. A still has no film.
 struct Products {
-  std::filesystem::path film;    // NAME.mp4
+  std::filesystem::path film;    // NAME.mp4, or of another format
   std::filesystem::path poster;  // NAME.png, the middle frame
   std::filesystem::path data;    // NAME.json, as film_data.h says
 };

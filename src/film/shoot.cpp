@@ -134,6 +134,11 @@ FilmReceipt shoot(const Film& film, const fs::path& folder, Renderer& renderer, 
   const Storyboard storyboard(film.scene, trajectory, film.width, film.height);
   const int end_frame = std::clamp(storyboard.frames(), film.first_frame + 1, film.end_frame);
   const int poster_frame = (film.first_frame + end_frame) / 2;
+  constexpr int samples = 16;
+  for (int i = 0; writer && writer->needs_samples() && i < samples; ++i) {
+    const int frame = film.first_frame + i * (end_frame - film.first_frame) / samples;
+    writer->sample(renderer.draw(storyboard.shot(frame)));
+  }
   for (int frame = film.first_frame; frame < end_frame; ++frame) {
     if (stop.stop_requested()) throw Stopped();
     const Image& picture = renderer.draw(storyboard.shot(frame));

@@ -116,15 +116,15 @@ Json claims_of(const FilmRecord& film) {
 
 // What film.html and figure.html may use of a film.
 Json film_context(const fs::path& site, const FilmRecord& film, const std::string& panels) {
-  const bool still = film.film.empty();
-  const std::string& product = still ? film.poster : film.film;
+  const std::string& product = film.film.empty() ? film.poster : film.film;
+  const bool still = product == film.poster || product.ends_with(".gif");  // an <img>
   Json context{{"id", percent_encoded(film.name)},
                {"kind", kind_of(film.name)},
                {"title", film.title},
                {"caption", film.caption},
                {"still", still},
                {"file", percent_encoded(product)},
-               {"poster", percent_encoded(film.poster)},
+               {"poster", percent_encoded(still ? product : film.poster)},
                {"data", percent_encoded(film.name + ".json")},
                {"width", film.width},
                {"height", film.height},
@@ -280,7 +280,7 @@ PageReceipt write_page(const PageOrder& order) {
     Json shown = film_context(order.site, film, place == panels.end() ? "" : place->second);
     shown["snippet"] = fill(figure_template, shown, source_name("figure.html"));
     shown["html"] = fill(film_template, shown, source_name("film.html"));
-    if (!film.film.empty()) {
+    if (shown.contains("vtt_text")) {
       write_part(parts.emplace_back(order.site / shown["vtt_file"].get<std::string>(), NamedBy::program),
                  shown["vtt_text"].get_ref<const std::string&>());
     }

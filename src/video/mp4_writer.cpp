@@ -1,12 +1,16 @@
 #include "video/mp4_writer.h"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 #include "image/rect.h"
 #include "video/i420.h"
 #include "video/libav.h"
+#include "video/palette.h"
 
 namespace bookspin {
 namespace {
@@ -16,9 +20,34 @@ namespace {
 // in even motion: what looks ahead (mbtree, lookahead, adaptive B pictures) costs a third and finds little, as do finer steps
 // of the motion search (subme) and blocks of 8x8 in B pictures. Without blocks of 8x8 in P pictures, too: 0.50 of the time,
 // 0.2 dB less. The preset "superfast" triples the bytes.
-constexpr const char* preset = "veryfast";
-constexpr const char* quality = "24.2";  // constant rate factor
-constexpr const char* speed = "subme=1:mbtree=0:rc-lookahead=0:b-adapt=0:partitions=i4x4,i8x8,p8x8";
+//
+// No scene cuts: key frames fall on whole seconds and nowhere else. cpu-independent: the same bytes on every machine.
+struct Format {
+  std::string_view extension;
+  const char* muxer;
+  const char* encoder;
+  AVPixelFormat pixels;
+  const char* encoder_options;
+  const char* muxer_options;
+};
+constexpr std::array formats{
+    Format{".mp4", "mp4", "libx264", AV_PIX_FMT_YUV420P,
+           "preset=veryfast;profile=high;crf=24.2;x264-params=scenecut=0:cpu-independent=1:"
+           "subme=1:mbtree=0:rc-lookahead=0:b-adapt=0:partitions=i4x4,i8x8,p8x8",
+           "movflags=+faststart"},
+    Format{".webm", "webm", "libvpx-vp9", AV_PIX_FMT_YUV420P, "crf=30;b=0;deadline=realtime;cpu-used=5", ""},
+    Format{".gif", "gif", "gif", AV_PIX_FMT_PAL8, "", ""}};
+constexpr int most_gif_frames = 25;  // a second; of a film of 60 it has 20, whose time is whole hundredths
+
+const Format& format_of(const std::filesystem::path& file) {
+  const auto* const found = std::find_if(formats.begin(), formats.end(),
+                                         [&](const Format& format) { return file.extension() == format.extension; });
+  if (found == formats.end()) {
+    throw std::invalid_argument(file.string() + ": found a name that ends in '" + file.extension().string() +
+                                "'; allowed: .mp4, .webm, .gif");
+  }
+  return *found;
+}
 
 std::string size_text(int width, int height) {
   return std::to_string(width) + "x" + std::to_string(height);
@@ -30,9 +59,11 @@ Libav<T> owned(T* object) {
   return Libav<T>(object);
 }
 
-const AVCodec* find_encoder() {
-  const AVCodec* codec = avcodec_find_encoder_by_name("libx264");
-  if (codec == nullptr) throw std::runtime_error("libavcodec: find encoder: this libavcodec was built without libx264");
+const AVCodec* find_encoder(const char* name) {
+  const AVCodec* codec = avcodec_find_encoder_by_name(name);
+  if (codec == nullptr) {
+    throw std::runtime_error(std::string("libavcodec: find encoder: this libavcodec was built without ") + name);
+  }
   return codec;
 }
 
@@ -45,19 +76,23 @@ std::string encoder_version() {
 }
 
 std::string describe_encoder() {
-  return std::string(find_encoder()->name) + " by libavcodec " + encoder_version();
+  return std::string(find_encoder(formats.front().encoder)->name) + " by libavcodec " + encoder_version();
 }
 
 struct Mp4Writer::Film {
   std::filesystem::path file;  // the film's name, for messages
   std::filesystem::path path;  // where it is written
   Settings settings;
+  const Format& format;
+  int every;  // of the pictures given, one in so many is a frame
   Libav<AVFormatContext> muxer;
   Libav<AVCodecContext> encoder;
-  Libav<AVFrame> picture;  // the last frame written, in I420
+  Libav<AVFrame> picture;  // the last frame written, in I420 or as indices of the palette
+  Palette palette;         // of a GIF
+  Rect changed;            // since the last frame
   Libav<AVPacket> packet;
   AVStream* stream = nullptr;  // owned by the muxer
-  std::int64_t frames = 0;
+  std::int64_t pictures = 0;
   int reread_error = 0;  // of the file that libav reads again, without a look at errors, to move the index to the front
 
   Film(const Part& part, Settings wanted);
@@ -71,7 +106,7 @@ struct Mp4Writer::Film {
 };
 
 Mp4Writer::Film::Film(const Part& part, Settings wanted)
-    : file(part.file()), path(part.path()), settings(std::move(wanted)) {
+    : file(part.file()), path(part.path()), settings(std::move(wanted)), format(format_of(file)), every(1) {
   if (settings.width <= 0 || settings.height <= 0 || settings.width % 2 != 0 || settings.height % 2 != 0) {
     throw std::invalid_argument(file.string() + ": size " + size_text(settings.width, settings.height) +
                                 ": width and height of a film must be even and above 0");
@@ -80,6 +115,7 @@ Mp4Writer::Film::Film(const Part& part, Settings wanted)
     throw std::invalid_argument(file.string() + ": " + std::to_string(settings.fps) +
                                 " frames a second: must be above 0");
   }
+  if (format.pixels == AV_PIX_FMT_PAL8) every = (settings.fps + most_gif_frames - 1) / most_gif_frames;
   capture_libav_log();
   open_muxer();
   open_encoder();
@@ -100,13 +136,13 @@ Mp4Writer::Film::Film(const Part& part, Settings wanted)
 void Mp4Writer::Film::open_muxer() {
   // "file:" keeps a name with a colon from being read as a protocol.
   const std::string url = "file:" + path.string();
-  AVFormatContext* format = nullptr;
-  check(avformat_alloc_output_context2(&format, nullptr, "mp4", url.c_str()), "set up the MP4 format");
-  muxer.reset(format);
+  AVFormatContext* context = nullptr;
+  check(avformat_alloc_output_context2(&context, nullptr, format.muxer, url.c_str()), "set up the format");
+  muxer.reset(context);
   muxer->flags |= AVFMT_FLAG_BITEXACT;
   muxer->opaque = this;
-  muxer->io_close2 = [](AVFormatContext* context, AVIOContext* read) {
-    if (read->error < 0) static_cast<Film*>(context->opaque)->reread_error = read->error;
+  muxer->io_close2 = [](AVFormatContext* reader, AVIOContext* read) {
+    if (read->error < 0) static_cast<Film*>(reader->opaque)->reread_error = read->error;
     return avio_close(read);
   };
   stream = avformat_new_stream(muxer.get(), nullptr);
@@ -116,32 +152,30 @@ void Mp4Writer::Film::open_muxer() {
 }
 
 void Mp4Writer::Film::open_encoder() {
-  const AVCodec* codec = find_encoder();
+  const AVCodec* codec = find_encoder(format.encoder);
   encoder = owned(avcodec_alloc_context3(codec));
   encoder->width = settings.width;
   encoder->height = settings.height;
-  encoder->pix_fmt = AV_PIX_FMT_YUV420P;
+  encoder->pix_fmt = format.pixels;
   encoder->sample_aspect_ratio = {1, 1};
-  encoder->time_base = {1, settings.fps};
-  encoder->framerate = {settings.fps, 1};
-  encoder->color_range = AVCOL_RANGE_MPEG;
-  encoder->colorspace = AVCOL_SPC_BT709;
-  encoder->color_primaries = AVCOL_PRI_BT709;
-  encoder->color_trc = AVCOL_TRC_BT709;
-  encoder->chroma_sample_location = AVCHROMA_LOC_LEFT;
+  encoder->time_base = {every, settings.fps};
+  encoder->framerate = {settings.fps, every};
+  if (format.pixels == AV_PIX_FMT_YUV420P) {
+    encoder->color_range = AVCOL_RANGE_MPEG;
+    encoder->colorspace = AVCOL_SPC_BT709;
+    encoder->color_primaries = AVCOL_PRI_BT709;
+    encoder->color_trc = AVCOL_TRC_BT709;
+    encoder->chroma_sample_location = AVCHROMA_LOC_LEFT;
+  }
   encoder->gop_size = settings.fps;
   encoder->thread_count = 1;  // another number of threads gives other bytes
   encoder->flags |= AV_CODEC_FLAG_CLOSED_GOP | AV_CODEC_FLAG_BITEXACT | AV_CODEC_FLAG_GLOBAL_HEADER;
 
-  // No scene cuts: key frames fall on whole seconds and nowhere else. cpu-independent: the same bytes on every machine.
   AVDictionary* options = nullptr;
-  av_dict_set(&options, "preset", preset, 0);
-  av_dict_set(&options, "profile", "high", 0);
-  av_dict_set(&options, "crf", quality, 0);
-  av_dict_set(&options, "x264-params", (std::string("scenecut=0:cpu-independent=1:") + speed).c_str(), 0);
+  check(av_dict_parse_string(&options, format.encoder_options, "=", ";", 0), "set the encoder's options");
   const int opened = avcodec_open2(encoder.get(), codec, &options);
   const Libav<AVDictionary> unknown(options);
-  check(opened, "open the H.264 encoder");
+  check(opened, "open the encoder");
   assert(av_dict_count(unknown.get()) == 0);
 }
 
@@ -152,9 +186,11 @@ void Mp4Writer::Film::write_header() {
   check(avio_open(&muxer->pb, muxer->url, AVIO_FLAG_WRITE), "create");
 
   AVDictionary* options = nullptr;
-  av_dict_set(&options, "movflags", "+faststart", 0);
-  // The film's length is told in these units; the muxer's own, milliseconds, would round it.
-  av_dict_set_int(&options, "movie_timescale", 1000 * std::int64_t{settings.fps}, 0);
+  check(av_dict_parse_string(&options, format.muxer_options, "=", ";", 0), "set the format's options");
+  // An MP4's length is told in these units; the muxer's own, milliseconds, would round it.
+  if (&format == &formats.front()) {
+    av_dict_set_int(&options, "movie_timescale", 1000 * std::int64_t{settings.fps}, 0);
+  }
   const int written = avformat_write_header(muxer.get(), &options);
   const Libav<AVDictionary> unknown(options);
   check(written, "write the header");
@@ -183,6 +219,14 @@ Mp4Writer::Mp4Writer(const Part& part, const Settings& settings) : film_(std::ma
 
 Mp4Writer::~Mp4Writer() = default;
 
+void Mp4Writer::sample(const Image& picture) {
+  film_->palette.sample(picture);
+}
+
+bool Mp4Writer::needs_samples() const {
+  return film_->format.pixels == AV_PIX_FMT_PAL8;
+}
+
 void Mp4Writer::write(const Image& frame, Rect changed) {
   assert(film_ != nullptr);
   Film& film = *film_;
@@ -190,21 +234,30 @@ void Mp4Writer::write(const Image& frame, Rect changed) {
     throw std::invalid_argument(film.file.string() + ": a frame of " + size_text(frame.width, frame.height) +
                                 " in a film of " + size_text(film.settings.width, film.settings.height));
   }
+  film.changed = film.pictures == 0 ? frame.bounds() : union_of(film.changed, intersection(changed, frame.bounds()));
+  if (film.pictures++ % film.every != 0) return;
+  const Rect area = std::exchange(film.changed, {});
   AVFrame* picture = film.picture.get();
   // Copies the picture, should the encoder still hold it.
   film.check(av_frame_make_writable(picture), "allocate a picture");
-  const Rect area = film.frames == 0 ? frame.bounds() : intersection(changed, frame.bounds());
-  convert_to_i420(frame, area,
-                  {picture->data[0], picture->data[1], picture->data[2], picture->linesize[0], picture->linesize[1],
-                   picture->linesize[2]});
-  picture->pts = film.frames++;
+  if (film.format.pixels == AV_PIX_FMT_PAL8) {
+    if (film.pictures == 1) film.palette.choose();
+    const std::vector<std::uint32_t>& argb = film.palette.argb();
+    std::copy(argb.begin(), argb.end(), reinterpret_cast<std::uint32_t*>(picture->data[1]));
+    film.palette.convert(frame, area, picture->data[0], picture->linesize[0]);
+  } else {
+    convert_to_i420(frame, area,
+                    {picture->data[0], picture->data[1], picture->data[2], picture->linesize[0], picture->linesize[1],
+                     picture->linesize[2]});
+  }
+  picture->pts = (film.pictures - 1) / film.every;
   film.encode(picture);
 }
 
 void Mp4Writer::finish() {
   assert(film_ != nullptr);
   Film& film = *film_;
-  if (film.frames == 0) throw std::invalid_argument(film.file.string() + ": a film needs at least one frame");
+  if (film.pictures == 0) throw std::invalid_argument(film.file.string() + ": a film needs at least one frame");
   film.encode(nullptr);
   film.check(av_write_trailer(film.muxer.get()), "write the index");
   film.check(film.reread_error, "move the index to the front");

@@ -1,4 +1,5 @@
-// Writes pictures, one after the other, as an H.264 film in an MP4 file that a web page can play while it loads.
+// Writes pictures, one after the other, as an H.264 film in an MP4 file that a web page can play while it loads; in a
+// part whose name ends in .webm as VP9, in .gif as a GIF of at most 25 frames a second: every second, third ... picture.
 //
 // H.264 High, yuv420p, BT.709 in limited range, a closed group of pictures and a key frame each second, index first.
 // It is written into a Part, which must outlive the writer, and which the caller publishes after finish(). The same
@@ -33,6 +34,10 @@ class Mp4Writer {
   Mp4Writer(const Mp4Writer&) = delete;
   Mp4Writer& operator=(const Mp4Writer&) = delete;
   ~Mp4Writer();
+
+  // A GIF's colors are those of the pictures shown before the first frame; other films need none.
+  void sample(const Image& picture);
+  [[nodiscard]] bool needs_samples() const;
 
   // Appends a frame. `changed` covers every pixel that differs from the frame before, and may be empty; of the first
   // frame everything counts. Only that part is converted.

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -234,6 +235,18 @@ TEST_F(Cli, RendersTheFramesAskedFor) {
   EXPECT_EQ(read_mp4_info(scratch / "mine.mp4").frames, 2);
 }
 
+TEST_F(Cli, RendersOtherFormatsAndPagesOfThem) {
+  for (const auto& [format, codec, shown] :
+       {std::array{"webm", "vp9", "src=\"mine.webm\""}, std::array{"gif", "gif", "<img src=\"mine.gif\""}}) {
+    const std::string folder = format;
+    EXPECT_EQ((*this)("render mine.toml --size 64x36 --format " + folder + " -o " + folder).exit_code, 0);
+    EXPECT_EQ(read_mp4_info(scratch / folder / ("mine." + folder)).codec, codec);
+    EXPECT_EQ((*this)("page " + folder).exit_code, 0);
+    EXPECT_THAT(read_text(scratch / folder / "index.html"), HasSubstr(shown));
+    EXPECT_EQ((*this)("verify " + folder).exit_code, 0);
+  }
+}
+
 TEST_F(Cli, UpdateMakesOnlyWhatIsStale) {
   const std::string command = "render mine.toml -o . --size 64x36 --update";
   EXPECT_THAT((*this)(command).out, HasSubstr("1 of 1 made"));
@@ -337,6 +350,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{"size_in_words", "render mine.toml -o . --size big", 2, "--size: found 'big'"},
         BadCall{"size_of_one_number", "render mine.toml -o . --size 64x", 2, "--size: found '64x'"},
         BadCall{"size_too_large", "frame mine.toml --frame 0 -o a.png --size 9000x9000", 2, "from 16 to 4096"},
+        BadCall{"format_unknown", "render mine.toml -o . --format avi", 2,
+                "--format: found 'avi'; allowed: mp4, webm, gif"},
         BadCall{"frames_reversed", "render mine.toml -o . --frames 8:3", 2, "--frames: found '8:3'; allowed: A:B"},
         BadCall{"frames_beyond", "render mine.toml -o . --frames 0:13", 1,
                 "mine.toml: found frames 0:13; allowed: A:B with 0 <= A < B <= 12"},

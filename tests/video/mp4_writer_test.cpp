@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "video/mp4_reader.h"
+#include "video/palette.h"
 #include "video/test_pictures.h"
 
 namespace bookspin {
@@ -53,6 +54,56 @@ TEST_P(FilmLength, EveryFrameIsThereForItsTime) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Mp4Writer, FilmLength, testing::Values(1, 2, 250));
+
+TEST(Mp4Writer, WritesWebMByTheNamesEnd) {
+  const MovingBox scene{192, 108};
+  const auto file = film(empty_folder("webm") / "film.webm", scene, 60);
+  const Mp4Info info = read_mp4_info(file);
+  EXPECT_EQ(info.codec, "vp9");
+  EXPECT_EQ(info.matrix, "bt709");
+  EXPECT_NEAR(info.duration, 1.0, 2e-3);  // measured; the container counts milliseconds
+  double worst = 1e9;
+  EXPECT_EQ(
+      read_frames(file, [&](int k, const Image& picture) { worst = std::min(worst, psnr(picture, scene.draw(k))); }),
+      60);
+  EXPECT_GE(worst, 33.0);  // measured
+}
+
+// 60 frames a second cannot be told in hundredths of a second: 20 can.
+TEST(Mp4Writer, WritesAGifOfEveryThirdPicture) {
+  const Mp4Info info = read_mp4_info(film(empty_folder("gif") / "film.gif", {192, 108}, 60));
+  EXPECT_EQ(info.codec, "gif");
+  EXPECT_EQ(info.packet_durations.size(), 20U);
+  EXPECT_NEAR(info.duration, 1.0, 1e-6);  // measured 0
+  EXPECT_EQ(bytes_of(film(empty_folder("gif") / "a.gif", {192, 108}, 9)),
+            bytes_of(film(empty_folder("gif") / "b.gif", {192, 108}, 9, true)));
+}
+
+TEST(Mp4Writer, RefusesANameThatSaysNoFormat) {
+  EXPECT_THROW(film(empty_folder("avi") / "film.avi", {192, 108}, 2), std::invalid_argument);
+}
+
+// What fills the samples keeps its color; the rest is nearer than half a step of the coarse cube.
+TEST(Palette, HasTheSamplesColorsAndSomeOfAll) {
+  Palette palette;
+  palette.sample(flat_picture(16, 16, 32, 39, 49));
+  palette.choose();
+  std::mt19937 generator(1);
+  Image picture = random_picture(16, 16, generator);
+  std::copy_n(std::array<std::uint8_t, 4>{32, 39, 49, 255}.begin(), 4, picture.rgba.begin());
+  std::array<std::uint8_t, 256> indices{};
+  palette.convert(picture, picture.bounds(), indices.data(), 16);
+  EXPECT_EQ(palette.argb().size(), 256U);
+  EXPECT_EQ(palette.argb()[indices[0]], 0xff202731U);
+  int worst = 0;
+  for (std::size_t i = 0; i < 256; ++i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto found = static_cast<int>(palette.argb()[indices[i]] >> (16 - 8 * c) & 0xffU);
+      worst = std::max(worst, std::abs(found - picture.rgba[4 * i + c]));
+    }
+  }
+  EXPECT_LE(worst, 51);  // half a step of the cube, and a bin
+}
 
 TEST(Mp4Writer, FileSaysWhatPlayersNeed) {
   const auto folder = empty_folder("tags");
