@@ -59,22 +59,6 @@ namespace {
 
 constexpr double frame = 0.5;  // of the paper's films of rotation: simulated time
 
-// (error, milliseconds a frame) of those runs that no cheaper one beats.
-Points frontier(const Ladder& ladder, double exact_evaluation_ns) {
-  Points by_cost;
-  for (const Run& run : ladder.runs) {
-    if (run.outcome != Outcome::finished || run.setting > frame) continue;
-    const double ns = ladder.solver == exact_solver ? exact_evaluation_ns : run.ns_per_time * frame;
-    by_cost.emplace_back(1e-6 * ns, run.error);
-  }
-  std::sort(by_cost.begin(), by_cost.end());
-  Points best;
-  for (const auto& [ms, error] : by_cost) {
-    if (best.empty() || error < best.back().first) best.emplace_back(error, ms);
-  }
-  return best;
-}
-
 }  // namespace
 
 void frame_costs(Draft& draft) {
@@ -84,7 +68,7 @@ void frame_costs(Draft& draft) {
   const FrameCost cost = frame_cost(scene, order);
   const double rest = cost.drawing + cost.conversion + cost.encoding;
   const double all = cost.dynamics + rest;
-  const auto part = [](double ms, double whole) { return fmt::format("{:.2g} %", 100.0 * ms / whole); };
+  const auto part = [](double ms, double whole) { return readable(100.0 * ms / whole) + " %"; };
   Table table{{"stage", "CPU milliseconds a frame", "part"},
               {{fmt::format("dynamics: damped springs, {} steps, all measures", scene.clip.substeps), cost.dynamics},
                {"drawing (OpenGL on the CPU)", cost.drawing},
@@ -94,24 +78,12 @@ void frame_costs(Draft& draft) {
   for (std::vector<Cell>& row : table.rows) row.emplace_back(part(row[1], all));
   draft.keep("frame_cost", table);
 
-  Table accuracy{{"dynamics of one frame", "error reached in case a", "CPU microseconds", "part of the frame"}, {}};
-  Plot plot{"largest error in case a, radians", "CPU milliseconds a frame"};
-  plot.x_range = {1e-16, 100.0};
-  plot.y_range = {1e-5, 100.0};
-  plot.more = {
-      fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead lc rgb '#000000' lw 1.5 dt 2", rest),
-      fmt::format("set label 'drawing and encoding: {:.1f} ms' at graph 0.02, first {} offset 0, 0.6", rest, rest)};
+  // Of the rigid methods, each at the smallest error that it reached.
   double dearest = 0.0;
   for (const Ladder& ladder : draft.runs[Problem::case_a]) {
-    const Points points = frontier(ladder, draft.exact_evaluation_ns);
-    if (ladder.solver.odeint || points.empty()) continue;
-    const auto& [error, ms] = points.back();
-    dearest = std::max(dearest, ms);
-    accuracy.rows.push_back({name_of(ladder.solver), error, 1e3 * ms, part(ms, ms + rest)});
-    plot.series.push_back({name_of(ladder.solver), points, pen_of(ladder.solver)});
+    const Run nearest = ladder.nearest();
+    if (!ladder.solver.odeint && nearest.error < none) dearest = std::max(dearest, 1e-6 * nearest.ns_per_time * frame);
   }
-  draft.plot("accuracy_in_a_film", plot);
-  draft.keep("accuracy_in_a_film", accuracy);
   draft.page["frame"] = {{"time", frame},
                          {"dynamics_ms", cost.dynamics},
                          {"steps", scene.clip.substeps},

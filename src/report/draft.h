@@ -75,8 +75,7 @@ struct Draft {
   const ReportOrder& order;
   Effort effort;
   Tell say;
-  Runs runs{};                        // of all work-precision ladders
-  double exact_evaluation_ns = none;  // of the exact motion at one time
+  Runs runs{};  // of all work-precision ladders
   std::vector<ModelError> model_errors{};
   nlohmann::ordered_json tables{};  // for report.json
   nlohmann::json page{};            // what page.html shows
@@ -105,8 +104,7 @@ void hard_cases(Draft& draft);
 void frame_costs(Draft& draft);
 void claims(Draft& draft);
 
-// The plot of error over cost of these problems' runs; of several problems the first one's lines are named.
-[[nodiscard]] Plot work_precision_plot(const Runs& runs, const std::vector<Problem>& problems,
-                                       const std::string& y_label, double lowest);
+// The plot of error over cost.
+[[nodiscard]] Plot work_precision_plot(const Ladders& ladders, const std::string& y_label, double lowest);
 
 }  // namespace bookspin

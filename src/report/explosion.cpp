@@ -5,8 +5,6 @@
 
 #include "dynamics/shape.h"
 #include "report/draft.h"
-#include "scene/scene_file.h"
-#include "scene/simulate.h"
 
 namespace bookspin {
 namespace {
@@ -132,31 +130,6 @@ nlohmann::json growth(std::vector<Explosion> rows, bool damped) {
           {"last_predicted", last.predicted}};
 }
 
-void what_normalization_hides(Draft& draft) {
-  const Scene scene = load_scene(draft.order.project / "videos" / "normalization_hides.toml");
-  const Trajectory trajectory = simulate(scene);
-  const std::vector<BookFrame>& frames = trajectory.books.front().frames;
-  const auto time = [&](const BookFrame& f) {
-    return static_cast<double>(&f - frames.data()) * scene.clip.time_per_frame;
-  };
-  Table table{{"time", "energy ratio", "angular momentum ratio", "stretch"}, {}};
-  for (const BookFrame& f : frames)
-    table.rows.push_back({time(f), f[Q::energy_ratio], f[Q::angular_momentum_ratio], f[Q::stretch]});
-  const auto over_time = [&](Q quantity) {
-    return points(
-        frames, [](const BookFrame&) { return true; }, time, [=](const BookFrame& f) { return f[quantity]; });
-  };
-  draft.page["hides"] = {{"time", time(frames.back())},
-                         {"energy", frames.back()[Q::energy_ratio]},
-                         {"momentum", frames.back()[Q::angular_momentum_ratio]}};
-  Plot plot{"time", "relative to the start", false, false};
-  plot.y_range = {0.0, 1.2};
-  plot.series = {{"energy", over_time(Q::energy_ratio), {color::blue}, Mark::line},
-                 {"angular momentum", over_time(Q::angular_momentum_ratio), {color::vermillion}, Mark::line}};
-  draft.plot("what_normalization_hides", plot);
-  draft.keep("what_normalization_hides", table);
-}
-
 }  // namespace
 
 void explosion(Draft& draft) {
@@ -180,7 +153,6 @@ void explosion(Draft& draft) {
   draft.page["explosion"] = {{"damped", growth(rows, true)},
                              {"undamped", growth(rows, false)},
                              {"mean_rate", fmt::format("{:.2f}", mean / mu.maxCoeff())}};
-  what_normalization_hides(draft);
 }
 
 }  // namespace bookspin

@@ -20,62 +20,29 @@ BookOptions book(const Solver& solver, double kick) {
   return options_for(solver, kicked(spin * body_of(BookOptions()).I_B.x(), kick));
 }
 
-// Calls look(t, L_B) each 0.1 until it says false or the time is over. L_B: in the axes of the corners, whatever the book.
-template <class Look>
-void follow(const Solver& solver, const BookOptions& options, double T, Look&& look) {
+// When the tilt passes 90 degrees: the zero of L's component along the spin axis, on the chord between two samples, each
+// 0.1. In the axes of the corners, whatever the book.
+double flip_time(const Solver& solver, const BookOptions& options, double most) {
   const Corners corners_B = body_of(options).corners_B;
-  const auto samples = static_cast<long>(std::ceil(T / (steps_a_sample * h)));
+  const auto samples = static_cast<long>(std::ceil(most / (steps_a_sample * h)));
   AnyBook any = make_book(solver.method, options);
-  std::visit(
+  return std::visit(
       [&](auto& book) {
+        double t_before = 0.0;
+        double before = 0.0;
         for (long n = 0; n <= samples; ++n) {
           const double t = static_cast<double>(n) * steps_a_sample * h;
           if constexpr (requires { book.move_to(t); }) book.move_to(t);
-          if (!look(t, best_fit_orientation(book.corners_W(), corners_B).conjugate() * book.angular_momentum_W()))
-            return;
-          if constexpr (requires { book.step(h); }) {
-            book.step(h, steps_a_sample);
-          }
+          const double L =
+              (best_fit_orientation(book.corners_W(), corners_B).conjugate() * book.angular_momentum_W()).x();
+          if (L <= 0.0) return t_before + (t - t_before) * before / (before - L);
+          t_before = t;
+          before = L;
+          if constexpr (requires { book.step(h); }) book.step(h, steps_a_sample);
         }
+        return none;
       },
       any);
-}
-
-constexpr double highest_tilt = 1e-2;  // to which a tilt's growth is exponential
-constexpr double lowest_tilt(double kick) {
-  return 30.0 * kick;
-}
-
-// Slope of ln(tilt) over t, by least squares.
-double growth_rate(const Solver& solver, double kick) {
-  std::vector<double> times, logs;
-  follow(solver, book(solver, kick), 1000.0, [&](double t, const Eigen::Vector3d& L) {
-    const double tilt = std::atan2(L.tail<2>().norm(), L.x());
-    if (tilt > highest_tilt || !(tilt >= 0.0)) return false;
-    if (tilt > lowest_tilt(kick)) {
-      times.push_back(t);
-      logs.push_back(std::log(tilt));
-    }
-    return true;
-  });
-  const auto n = static_cast<Eigen::Index>(times.size());
-  const Eigen::VectorXd t = Eigen::VectorXd::Map(times.data(), n);
-  const Eigen::VectorXd from_mean = t.array() - t.mean();
-  return from_mean.dot(Eigen::VectorXd::Map(logs.data(), n)) / from_mean.squaredNorm();
-}
-
-// When the tilt passes 90 degrees: the zero of L's component along the spin axis, on the chord between two samples.
-double flip_time(const Solver& solver, const BookOptions& options, double most) {
-  double flip = none;
-  double t_before = 0.0;
-  double before = 0.0;
-  follow(solver, options, most, [&](double t, const Eigen::Vector3d& L) {
-    if (L.x() <= 0.0) flip = t_before + (t - t_before) * before / (before - L.x());
-    t_before = t;
-    before = L.x();
-    return L.x() > 0.0;  // false of NaN, too
-  });
-  return flip;
 }
 
 double theory(double kick) {
@@ -90,29 +57,6 @@ struct Range {
     largest = std::max(largest, value);
   }
 };
-
-void growth_rates(Draft& draft, double sigma) {
-  const double kick = draft.effort.quick ? 1e-4 : 1e-6;
-  Table table{{"method", "growth rate", "growth rate / sigma - 1"}, {}};
-  double exact = 0.0;            // what follows is the distance from it
-  Range euler, higher, springs;  // rigid methods of order 1, and of higher ones
-  for (const Solver& solver : contenders()) {
-    const double rate = growth_rate(solver, kick);
-    const double off = rate / sigma - 1.0;
-    table.rows.push_back({title_of(solver), rate, off});
-    if (solver == exact_solver) {
-      exact = off;
-    } else if (solver.method == Method::springs) {
-      springs.add(off - exact);
-    } else {
-      (info_of(solver.integrator).order == 1 ? euler : higher).add(std::abs(off - exact));
-    }
-  }
-  draft.keep("growth_rates", table);
-  draft.page["growth"] = {{"from", lowest_tilt(kick)}, {"to", highest_tilt},       {"exact", exact},
-                          {"euler", euler.largest},    {"higher", higher.largest}, {"slowest", springs.least},
-                          {"fastest", springs.largest}};
-}
 
 void flip_times(Draft& draft) {
   const std::vector<Solver> all = contenders();
@@ -129,12 +73,14 @@ void flip_times(Draft& draft) {
     table.columns.push_back(title_of(solver));
     plot.series.push_back({title_of(solver), {}, pen_of(solver)});
   }
-  std::array<Range, 2> flips;       // of the rigid methods and of the springs, at the last kick: none
-  std::optional<double> forgotten;  // the largest kick that the matrix does not flip from
+  std::array<Range, 2> flips;             // of the rigid methods and of the springs, at the last kick: none
+  std::vector<std::string> spring_flips;  // of which springs
+  std::optional<double> forgotten;        // the largest kick that the matrix does not flip from
   for (const double kick : kicks) {
     const double expected = theory(kick);
     table.rows.push_back({kick, expected});
     flips = {};
+    spring_flips.clear();
     std::array<std::vector<std::string>, 2> never;
     for (std::size_t i = 0; i < all.size(); ++i) {
       const bool springs = all[i].method == Method::springs;
@@ -142,6 +88,7 @@ void flip_times(Draft& draft) {
       table.rows.back().push_back(number_or("never", t));
       if (t != none) {
         flips[springs].add(t);
+        if (springs) spring_flips.push_back(title_of(all[i]));
         plot.series[i].points.emplace_back(kick, std::max(1e-6, std::abs(t - expected)));
       } else {
         never[springs].push_back(title_of(all[i]));
@@ -165,7 +112,8 @@ void flip_times(Draft& draft) {
           {"most_springs", most_springs},
           {"none_flips", flips[false].least == none},
           {"rounding", theory(1e-16)}};
-  if (flips[true].least != none) page["springs"] = {{"from", flips[true].least}, {"to", flips[true].largest}};
+  if (flips[true].least != none)
+    page["springs"] = {{"which", fmt::format("{}", fmt::join(spring_flips, "; "))}, {"at", flips[true].least}};
   if (forgotten) {
     BookOptions options = book({Method::matrix}, *forgotten);
     options.normalize_every = 0;
@@ -183,8 +131,6 @@ void instability(Draft& draft) {
                          {"spin", fmt::format("{}", spin)},
                          {"e_fold", 1.0 / sigma},
                          {"decade", std::numbers::ln10 / sigma}};
-  growth_rates(draft, sigma);
-  draft.say("flip times");
   flip_times(draft);
 }
 

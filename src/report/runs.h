@@ -19,7 +19,7 @@
 
 namespace bookspin {
 
-enum class Problem { case_a, case_b, case_c, case_d, springs, soft_springs, stiff_springs };
+enum class Problem { case_a, case_b, case_c, case_d, springs };
 enum class Odeint { rk4, dopri5, fehlberg78, bulirsch_stoer };
 
 struct Solver {

@@ -9,7 +9,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
-#include <numbers>
 
 #include "dynamics/integrators.h"
 #include "dynamics/shape.h"
@@ -98,36 +97,6 @@ std::vector<StepLimit> step_limits(bool quick) {
   return limits;
 }
 
-// The vibration's energy grows by (1 + h^2 lambda) a step; its velocity, by the root. The fastest mode soon leads.
-Table undamped_euler_growth(bool quick) {
-  Table table{{"step", "predicted rate", "measured rate", "measured / predicted"}, {}};
-  BookOptions options = options_for({Method::springs}, BookOptions());
-  options.omega_W = {0.01, 0.007, 0.004};
-  const double lambda = spring_modes(options.size).mu.maxCoeff() * options.stiffness / options.particle_mass;
-  for (const double h :
-       quick ? std::vector<double>{0.1 / 6.0} : std::vector<double>{0.05, 0.1 / 6.0, 0.005, 0.001, 0.0002}) {
-    const double predicted = std::log1p(h * h * lambda) / (2.0 * h);
-    const int period = static_cast<int>(std::ceil(2.0 * std::numbers::pi / std::sqrt(lambda) / h));  // steps
-    // ln(energy) / 2, the energy's mean over a period, from when the fastest mode outweighs all others until the
-    // springs are far from linear.
-    SpringBook book(options);
-    Points logs;
-    double mean = 0.0;
-    for (double t = 0.0; mean < 3e-2 && t < 1e6; t += period * h) {
-      double sum = 0.0;
-      for (int i = 0; i < period; ++i) {
-        book.step(h);
-        sum += book.elastic_energy();
-      }
-      mean = sum / period;
-      if (mean > 1e-3) logs.emplace_back(t, 0.5 * std::log(mean));
-    }
-    const double measured = (logs.back().second - logs.front().second) / (logs.back().first - logs.front().first);
-    table.rows.push_back({h, predicted, measured, measured / predicted});
-  }
-  return table;
-}
-
 // The book of Figure 5 as the original program has it, with one step a frame of 0.1.
 nlohmann::json one_step_a_frame(Draft& draft, const char* normalize) {
   const auto [clip, found] =
@@ -212,8 +181,6 @@ void stability(Draft& draft) {
       {"one_step",
        {{"normalized", one_step_a_frame(draft, "book.0.normalize=true")},
         {"plain", one_step_a_frame(draft, "book.0.normalize=false")}}}};
-  draft.say("growth of the undamped vibration");
-  draft.keep("undamped_euler_growth", undamped_euler_growth(draft.effort.quick));
 }
 
 }  // namespace bookspin

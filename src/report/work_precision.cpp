@@ -145,10 +145,8 @@ void exact_cost(Draft& draft) {
   std::array<RigidState, 1200> states;
   const double together = least_ns(30, [&] { motion.at(t.size(), t.data(), states.data()); });
   asm volatile("" : : "g"(&sum), "g"(&states) : "memory");  // else the loops are left out
-  draft.exact_evaluation_ns = evaluations / 1200.0;
-  draft.page["exact"] = {{"setup_us", 1e-3 * setup / 50.0},
-                         {"evaluation_ns", draft.exact_evaluation_ns},
-                         {"together_ns", together / 1200.0}};
+  draft.page["exact"] = {
+      {"setup_us", 1e-3 * setup / 50.0}, {"evaluation_ns", evaluations / 1200.0}, {"together_ns", together / 1200.0}};
 }
 
 }  // namespace
@@ -179,28 +177,24 @@ std::vector<RigidCase> read_rigid_cases(const std::filesystem::path& reference) 
   return cases;
 }
 
-Plot work_precision_plot(const Runs& runs, const std::vector<Problem>& problems, const std::string& y_label,
-                         double lowest) {
+Plot work_precision_plot(const Ladders& ladders, const std::string& y_label, double lowest) {
   constexpr double fall_back = 20.0;  // where runs without an error are shown
   Plot plot{"CPU nanoseconds for one unit of simulated time", y_label};
   plot.y_range = {lowest, 60.0};
   plot.more = {fmt::format("set ytics add ('diverged' {})", fall_back)};
   double least = none;
   double most = 0.0;
-  for (const Problem problem : problems) {
-    for (const auto& [solver, ladder] : runs.at(problem)) {
-      const auto finished = [](const Run& run) { return run.outcome == Outcome::finished; };
-      const auto error = [](const Run& run) { return std::max(run.error, 1e-16); };
-      plot.series.push_back({problem == problems.front() ? name_of(solver) : "",
-                             points(ladder, finished, &Run::ns_per_time, error), pen_of(solver),
-                             solver == exact_solver ? Mark::points : Mark::line_and_points});
-      plot.series.push_back(
-          {"", points(ladder, std::not_fn(finished), &Run::ns_per_time, [](const Run& /*run*/) { return fall_back; }),
-           pen_of(solver), Mark::cross});
-      for (const Run& run : ladder) {
-        least = std::min(least, run.ns_per_time);
-        most = std::max(most, run.ns_per_time);
-      }
+  for (const auto& [solver, ladder] : ladders) {
+    const auto finished = [](const Run& run) { return run.outcome == Outcome::finished; };
+    const auto error = [](const Run& run) { return std::max(run.error, 1e-16); };
+    plot.series.push_back({name_of(solver), points(ladder, finished, &Run::ns_per_time, error), pen_of(solver),
+                           solver == exact_solver ? Mark::points : Mark::line_and_points});
+    plot.series.push_back(
+        {"", points(ladder, std::not_fn(finished), &Run::ns_per_time, [](const Run& /*run*/) { return fall_back; }),
+         pen_of(solver), Mark::cross});
+    for (const Run& run : ladder) {
+      least = std::min(least, run.ns_per_time);
+      most = std::max(most, run.ns_per_time);
     }
   }
   plot.x_range = {0.7 * least, 1.4 * most};
@@ -214,8 +208,7 @@ void work_precision(Draft& draft) {
     if (c.letter == "d") effort.most_evaluations *= 4;  // a thousand times as many turns
     const Ladders& ladders = draft.runs[c.problem] = all_ladders(c, effort);
     draft.keep("cheapest_" + c.letter, cheapest_table(ladders));
-    draft.plot("work_precision_" + c.letter,
-               work_precision_plot(draft.runs, {c.problem}, "largest error, radians", 1e-16));
+    draft.plot("work_precision_" + c.letter, work_precision_plot(ladders, "largest error, radians", 1e-16));
     const auto [stepper, nearest] = nearest_stepper(ladders);
     const double turns = c.T * c.options().omega_W.norm() / (2.0 * std::numbers::pi);
     const double flip = motion_of(c).flip_period();

@@ -116,7 +116,6 @@ TEST_F(Report, EveryTableHasEveryMethod) {
   for (const char* letter : {"a", "b", "c", "d"})
     EXPECT_EQ(methods_of(std::string("cheapest_") + letter), rigid_methods) << letter;
   EXPECT_EQ(methods_of("cheapest_springs"), spring_methods);
-  EXPECT_EQ(json["growth_rates"].size(), contenders);
   EXPECT_EQ(json["flip_times"][0].size(), 2 + contenders);  // with the kick and theory
 }
 
@@ -183,19 +182,9 @@ TEST_F(Report, PredictedAndMeasuredStepLimitsAgree) {
   EXPECT_EQ(compared, 6);  // three undamped, three damped
 }
 
-TEST_F(Report, UndampedEulerGrowsAtThePredictedRate) {
-  for (const Json& row : json["undamped_euler_growth"])
-    EXPECT_NEAR(row["measured / predicted"].get<double>(), 1.0, tolerance(0.03)) << row;  // measured 0.013
-}
-
 TEST_F(Report, ExplosionsComeWhenTheyShould) {
   for (const Json& row : json["time_to_explosion"])
     EXPECT_NEAR(row["measured / predicted"].get<double>(), 1.0, tolerance(0.25)) << row;  // measured 0.16
-}
-
-TEST_F(Report, TiltsGrowAtSigma) {
-  for (const Json& row : json["growth_rates"])
-    EXPECT_NEAR(row["growth rate / sigma - 1"].get<double>(), 0.0, tolerance(2e-3)) << row;  // measured 9.4e-4
 }
 
 TEST_F(Report, FlipsComeAtTheirTimes) {
@@ -228,12 +217,6 @@ TEST_F(Report, EveryMethodIsTriedOnEveryHardCase) {
   EXPECT_EQ(outcomes.size(), 3U);
 }
 
-TEST_F(Report, NormalizationHidesTheLossOfAngularMomentum) {
-  const Json& last = json["what_normalization_hides"].back();
-  EXPECT_NEAR(last["energy ratio"].get<double>(), 1.0, 0.02);
-  EXPECT_LT(last["angular momentum ratio"].get<double>(), 0.1);
-}
-
 TEST_F(Report, EveryClaimHasAVerdictANumberAndACommand) {
   std::map<std::string, int> verdicts;
   for (const Json& claim : json["claims"]) {
@@ -251,9 +234,9 @@ TEST_F(Report, EveryClaimHasAVerdictANumberAndACommand) {
 }
 
 TEST_F(Report, PlotsAreDrawn) {
-  for (const char* name : {"error_over_time", "work_precision_a", "work_precision_b", "work_precision_c",
-                           "work_precision_d", "work_precision_springs", "work_precision_springs_rigid", "step_limits",
-                           "time_to_explosion", "what_normalization_hides", "flip_times", "accuracy_in_a_film"}) {
+  for (const char* name :
+       {"error_over_time", "work_precision_a", "work_precision_b", "work_precision_c", "work_precision_d",
+        "work_precision_springs", "step_limits", "time_to_explosion", "flip_times"}) {
     const std::string svg = read_text(folder / (std::string(name) + ".svg"));
     EXPECT_THAT(svg, HasSubstr("</svg>")) << name;
     EXPECT_THAT(svg, HasSubstr("<path")) << name;
