@@ -318,10 +318,10 @@ INSTANTIATE_TEST_SUITE_P(
     Cli, BadCalls,
     testing::Values(
         BadCall{"nothing", "", 2, "A subcommand is required"},
-        BadCall{
-            "unknown_command", "film mine.toml", 2,
-            "unknown command 'film'; allowed: list, render, frame, check, trajectory, page, verify, report, advise, "
-            "compare, doctor, help, schema, completion\n"},
+        BadCall{"unknown_command", "film mine.toml", 2,
+                "unknown command 'film'; allowed: list, render, frame, check, trajectory, scene, page, verify, report, "
+                "advise, "
+                "compare, doctor, help, schema, completion\n"},
         BadCall{"error_too_small", "advise mine.toml --error 0", 2,
                 "--error: found '0'; allowed: a number from 1e-14 to 1"},
         BadCall{"advice_of_no_scene", "advise", 2, "SCENE"},
