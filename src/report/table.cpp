@@ -27,12 +27,14 @@ Cell number_or(const char* word, double value) {
 }
 
 std::string as_csv(const Table& table) {
-  std::string out = fmt::format("{}\n", fmt::join(table.columns, ","));
-  for (const auto& row : table.rows) {
+  std::string out;
+  const auto add = [&](const auto& row) {
     std::vector<std::string> cells;
     std::transform(row.begin(), row.end(), std::back_inserter(cells), csv_cell);
     out += fmt::format("{}\n", fmt::join(cells, ","));
-  }
+  };
+  add(table.columns);
+  for (const auto& row : table.rows) add(row);
   return out;
 }
 

@@ -25,6 +25,7 @@ using testing::ThrowsMessage;
 
 TEST(Tables, AsCsvAsJsonAndForThePage) {
   const Table table{{"method", "error", "note"}, {{"Euler, \"matrix\"", 1.0 / 3.0, "a"}, {"b", std::nan(""), "c"}}};
+  EXPECT_EQ(as_csv({{"kick", "Euler, matrix"}, {}}), "kick,\"Euler, matrix\"\n");
   EXPECT_EQ(as_csv(table), "method,error,note\n\"Euler, \"\"matrix\"\"\",0.3333333333333333,a\nb,,c\n");
   EXPECT_EQ(as_json(table).dump(), R"([{"method":"Euler, \"matrix\"","error":0.3333333333333333,"note":"a"},)"
                                    R"({"method":"b","error":null,"note":"c"}])");
