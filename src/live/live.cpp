@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "film/framing.h"
+#include "image/halved.h"
 #include "render/bend.h"
 #include "render/book_mesh.h"
 #include "render/strokes.h"
@@ -158,6 +159,14 @@ const void* const* live_mesh(int fineness) {
   add(mesh.borders, sizeof(BorderVertex) / sizeof(float));
   for (const auto& part : mesh.triangles) add(part, 1);
   return parts.data();
+}
+
+const unsigned char* live_halved(const unsigned char* rgba, int width, int height) {
+  static Image half;
+  Image image(width, height);
+  std::copy_n(rgba, image.rgba.size(), image.rgba.begin());
+  half = halved(image);
+  return half.rgba.data();
 }
 
 const float* live_picture(live* self, int frame, const double from[3], double zoom, int width, int height) {

@@ -32,6 +32,9 @@ int live_exploded(const live*, int book); /* the first frame so far in which it 
  * of drawing, its indices (16 bits). */
 const void* const* live_mesh(int fineness);
 
+/* The next smaller picture of one of 4 bytes a pixel, until the next call. */
+const unsigned char* live_halved(const unsigned char* rgba, int width, int height);
+
 /* What a frame shows, seen from the direction `from`, `zoom` times as large as it would just fit: floats, until the next
  * call. Item after item: its kind and how many floats follow.
  *   0 solid book, 1 ghost   brightness, 1 unbent, 1 keeps orientation, corners_C (24), clip_from_camera (16), half_frame (2)

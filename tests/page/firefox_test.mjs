@@ -116,6 +116,21 @@ await check("captions have cues", async () => {
   })()`);
   if (cues.length < 12 || cues.some((count) => count === 0)) throw new Error(cues.join());
 });
+await check("the live panel computes and explodes, where there is WebGL2", async () => {
+  if (!(await run(`!!document.getElementById("live-data")`))) return;
+  if (!(await run(`!!document.createElement("canvas").getContext("webgl2")`))) {
+    if (!(await run(`document.getElementById("live").hidden`))) throw new Error("a panel that cannot draw");
+    return;
+  }
+  const panel = (look) => `((panel) => (${look}))(document.getElementById("live").panel)`;
+  await until("the panel is there", `!!document.getElementById("live").panel`);
+  await run(`document.querySelector("#live .live-grid").scrollIntoView({ behavior: "instant" })`);
+  await run(panel("panel.painter.canvas.focus({ preventScroll: true })"));
+  await press("n", "2", "1");
+  await until("keys are heard", panel("panel.book.normalize_every === 0 && panel.book.angular_velocity[0] > 0"));
+  await run(panel('panel.set("stiffness", 100)'));
+  await until("it explodes", panel("panel.complete && panel.engine.exploded(0) > 0"));
+});
 await check("nothing sticks out", async () => {
   for (const width of [360, 768, 1920]) {
     await send("browsingContext.setViewport", { context, viewport: { width, height: 900 } });

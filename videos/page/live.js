@@ -86,27 +86,18 @@ class Painter {
     return { array, ranges, borderArray, borderCount: borders.length / 11 };
   }
 
-  // The smaller pictures are averaged in linear light, by a texture that is known to be sRGB, and drawn as plain numbers.
   texture(picture) {
     const gl = this.gl;
-    const averaged = gl.createTexture();
-    gl.bindTexture(gl.TEXTURE_2D, averaged);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.SRGB8_ALPHA8, gl.RGBA, gl.UNSIGNED_BYTE, picture);
-    gl.generateMipmap(gl.TEXTURE_2D);
     const texture = gl.createTexture();
-    const frame = gl.createFramebuffer();
-    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
-    for (let level = 0, [w, h] = [picture.width, picture.height]; ; ++level, w = Math.max(1, w >> 1), h = Math.max(1, h >> 1)) {
-      const pixels = new Uint8Array(4 * w * h);
-      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, averaged, level);
-      gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-      gl.bindTexture(gl.TEXTURE_2D, texture);
-      gl.texImage2D(gl.TEXTURE_2D, level, gl.RGBA8, w, h, 0, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-      if (w === 1 && h === 1) break;
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    let { width, height } = picture;
+    let pixels = new Uint8Array(picture.data.buffer);
+    for (let level = 0; ; ++level) {
+      gl.texImage2D(gl.TEXTURE_2D, level, gl.RGBA8, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+      if (width === 1 && height === 1) break;
+      pixels = this.engine.halved(pixels, width, height);
+      [width, height] = [Math.max(1, width >> 1), Math.max(1, height >> 1)];
     }
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    gl.deleteFramebuffer(frame);
-    gl.deleteTexture(averaged);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
@@ -547,7 +538,7 @@ class Panel {
         }
       }
       if (!this.drawn) this.draw();
-      if (!this.charted) this.drawCurves();
+      if (!this.charted && (this.complete || !(now - this.chartedAt < 120))) this.drawCurves(now);
       if (this.playing || !this.complete) this.wake(); else this.before = undefined;
     });
   }
@@ -600,7 +591,8 @@ class Panel {
     }
   }
 
-  drawCurves() {
+  drawCurves(now) {
+    this.chartedAt = now;
     const { engine, scene } = this;
     const marks = this.explosions().map(({ book, frame }) => ({ frame, label: `${scene.books.length > 1 ? (book.name || book.method) + " " : ""}explodes at t = ${this.timeOf(frame)}` }));
     const count = Math.min(engine.frames, this.end);
@@ -610,12 +602,15 @@ class Panel {
       for (const name of names) {
         const q = engine.quantities.find((one) => one.name === name);
         [low, high, unit, most] = [Math.min(low, q.low), Math.max(high, q.high), q.unit, q.most];
+        const place = 38 + engine.quantities.indexOf(q);
+        const said = this.chart.clientWidth < 440 ? q.symbol : q.title;
         scene.books.forEach((book, b) => {
           if (name === "angle_error" && book.method === "exact") return;
           const exploded = engine.exploded(b);
           const values = [];
-          for (let n = 0; n < count && (exploded < 0 || n < exploded); ++n) values.push(this.value(b, name, n) * q.scale);
-          curves.push({ label: scene.books.length > 1 ? book.name || book.method : this.chart.clientWidth < 440 ? q.symbol : q.title, values });
+          const track = engine.track(b);
+          for (let n = 0; n < count && (exploded < 0 || n < exploded); ++n) values.push(track[n * engine.doubles + place] * q.scale);
+          curves.push({ label: scene.books.length === 1 ? said : (b === 0 ? said + ": " : "") + (book.name || book.method), values });
         });
       }
       return { curves, low, high, unit, most, marks };
@@ -832,7 +827,9 @@ async function openPanel(root) {
     const picture = new Image();
     picture.src = "data:image/svg+xml;charset=utf-8," + encodeURIComponent(liveData.textures[name].replaceAll("Inter Display, Inter", "Inter Display, Inter, system-ui, sans-serif"));
     await picture.decode();
-    return picture;
+    const pen = new OffscreenCanvas(picture.width, picture.height).getContext("2d", { willReadFrequently: true });
+    pen.drawImage(picture, 0, 0);
+    return pen.getImageData(0, 0, picture.width, picture.height);
   }));
   root.hidden = false;
   root.panel = new Panel(root, engine, new Painter(root.querySelector(".live-stage canvas"), engine, pictures));
