@@ -1,6 +1,6 @@
 #!/bin/sh
 # The course page in a real browser: browser_test.sh BOOKSPIN FOLDER
-# Makes a small site in FOLDER and runs browser_test.mjs, live_test.mjs and firefox_test.mjs. Exit code 77 when what browser_tools.sh fetches is not there.
+# Makes a small site in FOLDER and runs browser_test.mjs and firefox_test.mjs. Exit code 77 when what browser_tools.sh fetches is not there.
 set -u
 bookspin=$1
 folder=$2
@@ -27,7 +27,6 @@ for name in "my film" "50% #2?"; do
 done
 "$bookspin" page site/own || exit 1
 node "$here/browser_test.mjs" "$folder" "$project/videos" || exit 1
-node "$here/live_test.mjs" "$folder" "$bookspin" || exit 1
 if command -v firefox-esr >/dev/null; then
   node "$here/firefox_test.mjs" "$folder" || exit 1
 else
