@@ -1,7 +1,6 @@
 #include "render/books.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
