@@ -48,7 +48,7 @@ struct FilmRecord {
   std::string title;
   std::string caption;
   std::string script;  // its text
-  std::string scene;   // JSON, as `bookspin scene` prints it; empty: not told
+  std::string scene;   // JSON, as `bookspin json` prints it; empty: not told
   std::string film;    // file name; empty: a still
   std::string poster;  // file name
   int width = 0;       // pixels

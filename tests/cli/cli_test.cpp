@@ -319,7 +319,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadCall{"nothing", "", 2, "A subcommand is required"},
         BadCall{"unknown_command", "film mine.toml", 2,
-                "unknown command 'film'; allowed: list, render, frame, check, trajectory, scene, page, verify, report, "
+                "unknown command 'film'; allowed: list, render, frame, check, trajectory, json, page, verify, report, "
                 "advise, "
                 "compare, doctor, help, schema, completion\n"},
         BadCall{"error_too_small", "advise mine.toml --error 0", 2,

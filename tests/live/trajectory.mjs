@@ -32,7 +32,7 @@ const places = [...corners.keys(), 27, 24, 25, 26, 32, 33, 34, ...before.map(at)
 const header = ["frame,t,book", ...corners, "qw,qx,qy,qz,Lx,Ly,Lz", ...before, "omega_x,omega_y,omega_z", ...after].join(",") + "\n";
 
 export function trajectory(args) {
-  const scene = JSON.parse(execFileSync(program, ["scene", ...args], { stdio: ["ignore", "pipe", "inherit"] }));
+  const scene = JSON.parse(execFileSync(program, ["json", ...args], { stdio: ["ignore", "pipe", "inherit"] }));
   engine.begin(scene);
   engine.advance(scene.frames);
   const tracks = scene.books.map((_, book) => engine.track(book));

@@ -234,7 +234,7 @@ await check("every film's scene is taken over, and its script gives that scene",
     }, id);
     const file = join(folder, "taken.toml");
     writeFileSync(file, script);
-    const again = JSON.parse(execFileSync(bookspin, ["scene", file], { encoding: "utf8" }));
+    const again = JSON.parse(execFileSync(bookspin, ["json", file], { encoding: "utf8" }));
     const [is, was] = [again, scene].map(ordered);
     expect(is === was, `${id}: ${is}, not ${was}`);
   }
