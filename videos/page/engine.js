@@ -38,7 +38,7 @@ class Engine {
     return this.#wasm.live_takes(this.methods.indexOf(method), damped ? 1 : 0, this.integrators.indexOf(integrator)) === 1;
   }
 
-  // A scene as `bookspin scene` prints it: its motion begins anew.
+  // A scene as `bookspin json` prints it: its motion begins anew.
   begin(scene) {
     this.#wasm.live_close(this.#scene);
     const numbers = [scene.frames, scene.time_per_frame, scene.substeps, scene.seed];
