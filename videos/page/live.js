@@ -686,8 +686,8 @@ class Panel {
       }
       const integrator = words.get(named("integrator"));
       if (this.engine.integrators.includes(integrator)) book.integrator = integrator;
-      const show = words.get(named("show"))?.split(".");
-      if (show) book.show = this.engine.overlays.filter((overlay) => show.includes(overlay));
+      const show = words.get(named("show"))?.split(".").filter(Boolean);
+      if (show?.every((word) => this.engine.overlays.includes(word))) book.show = this.engine.overlays.filter((overlay) => show.includes(overlay));
     });
     this.current = 0;
     const from = words.get("from")?.split("_").map(Number);
