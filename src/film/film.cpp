@@ -11,7 +11,7 @@
 #include "image/png.h"
 #include "render/renderer.h"
 #include "scene/scene_file.h"
-#include "video/mp4_writer.h"
+#include "video/film_writer.h"
 
 namespace bookspin {
 namespace {

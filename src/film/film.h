@@ -56,8 +56,8 @@ struct Products {
 // Of the libraries, beside OpenGL, whose version shapes the bytes of a film.
 [[nodiscard]] std::map<std::string, std::string> library_versions();
 
-// Of all that makes a picture, beside the script and OpenGL: shaders, textures, fonts, libraries, and the program's own source from
-// dynamics to film. Another program that draws alike has the same. Throws std::runtime_error when one is missing.
+// Of all that makes a picture, beside the script and OpenGL: shaders, textures, fonts, libraries, and the program's own
+// source from dynamics to film. Another program that draws alike has the same. Throws std::runtime_error when one is missing.
 [[nodiscard]] std::string fingerprint_of_drawing(const std::filesystem::path& assets);
 
 }  // namespace bookspin

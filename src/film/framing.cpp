@@ -45,8 +45,9 @@ double distance_that_frames(const std::vector<Stand>& stands, const Eigen::Matri
   return far;
 }
 
-double exploded_brightness(double seconds_since) {
-  return 1.0 - 0.67 * std::min(1.0, seconds_since / 0.2);
+Eigen::Vector2d shift_of(const Stand& stand, double distance, const Eigen::Vector2d& middle) {
+  const Eigen::Vector2d place = stand.place / distance - middle;
+  return Eigen::Vector2d(place.x(), -place.y()) / (2.0 * tan_half_fov);
 }
 
 bool is_gone(const BookFrame& frame, double too_near) {

@@ -25,8 +25,8 @@ struct Stand {
 [[nodiscard]] double distance_that_frames(const std::vector<Stand>& stands, const Eigen::Matrix3d& R_CW, double aspect,
                                           double band);
 
-// A book that has exploded is so large, and turns so fast, that it would flash: it is dimmed within a fifth of a second.
-[[nodiscard]] double exploded_brightness(double seconds_since);
+// How far a stand's picture is moved (render/shot.h), when the middle of the picture is to be at `middle`, in tangents.
+[[nodiscard]] Eigen::Vector2d shift_of(const Stand& stand, double distance, const Eigen::Vector2d& middle);
 
 // Whether its numbers have ended, or it comes as near as the camera, `too_near` half diagonals away.
 [[nodiscard]] bool is_gone(const BookFrame& frame, double too_near);

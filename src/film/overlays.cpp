@@ -22,6 +22,8 @@ constexpr double polhode_length = 1.25;  // of the ellipsoid's longest half axis
 constexpr std::size_t polhode_frames = 600;
 constexpr double axis_beyond_cover = 0.42;
 constexpr double full_strain = 0.05;  // a spring longer by this share has the full color
+constexpr double exploded_brightness = 0.33;
+constexpr double dimming = 0.2;  // seconds
 
 void add_axes(Shot& shot, const BookSetup& setup, const BookTrack& track, std::size_t frame) {
   const BookFrame& now = track.frames[frame];
@@ -234,8 +236,33 @@ Corners as_bound(const BookSetup& setup, const Corners& corners_W) {
   return bound_W;
 }
 
-void add_overlays(Shot& shot, const BookSetup& setup, const BookTrack& track, std::size_t frame) {
-  for (const Overlay overlay : setup.show) drawing(overlay).add(shot, setup, track, frame);
+void add_book(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame, int fps, bool gone,
+              const Eigen::Vector2d& shift) {
+  Shot alone;
+  alone.camera = shot.camera;
+  const auto n = static_cast<std::size_t>(frame);
+  if (!gone) {
+    alone.books.push_back({as_bound(setup, track.frames[n].corners_W),
+                           setup.style == Style::ghost ? BookStyle::ghost : BookStyle::solid});
+    if (track.frames[n].exploded()) {
+      const double seconds = (frame - *track.exploded_frame + 1.0) / fps;
+      alone.books.front().brightness = 1.0 - (1.0 - exploded_brightness) * std::min(1.0, seconds / dimming);
+    }
+  }
+  for (const Overlay overlay : setup.show) {
+    const bool ghost = overlay == Overlay::exact || overlay == Overlay::unrotated;
+    if (!gone || ghost) drawing(overlay).add(alone, setup, track, n);
+  }
+  const auto put = [&](auto& from, auto& to, auto place) {
+    for (auto& item : from) {
+      item.*place += shift;
+      to.push_back(item);
+    }
+  };
+  put(alone.books, shot.books, &BookPose::shift);
+  put(alone.arrows, shot.arrows, &Arrow::shift);
+  put(alone.lines, shot.lines, &Line::shift);
+  put(alone.labels, shot.labels, &Label::position);
 }
 
 std::vector<Sphere> overlay_reach(const BookSetup& setup, const BookTrack& track) {
@@ -249,7 +276,7 @@ std::vector<Sphere> overlay_reach(const BookSetup& setup, const BookTrack& track
   }
   for (std::size_t n = 0; labels_decide && n < track.frames.size(); ++n) {
     Shot shot;
-    add_overlays(shot, setup, track, n);
+    for (const Overlay overlay : setup.show) drawing(overlay).add(shot, setup, track, n);
     for (const Label& label : shot.labels) spheres.push_back({*label.anchor_W, 0.12 * unit});
   }
   return spheres;

@@ -1,9 +1,10 @@
-// What a script can have drawn with a book, as things of a Shot: arrows, the trace of the spin axis, springs, ghosts, labels.
+// A book in the picture and what a script can have drawn with it, as things of a Shot: arrows, the trace of the spin
+// axis, springs, ghosts, labels.
 //
 // Lengths follow the book: an arrow of full length reaches beyond its corners. The angular momentum's is in proportion
 // to its length at the start, and so is the angular velocity's: one that shrinks is seen to shrink. All is in the world
-// frame, about the book's own center. A new overlay is a word in Overlay and its name (scene/scene.h), and a function and a row here in
-// overlays.cpp.
+// frame, about the book's own center. A new overlay is a word in Overlay and its name (scene/scene.h), and a function
+// and a row in overlays.cpp.
 #pragma once
 
 #include <string>
@@ -21,8 +22,11 @@ namespace bookspin {
 // The corners as the hardcover's: the cover lies on the largest face, the spine along its longer edge.
 [[nodiscard]] Corners as_bound(const BookSetup& setup, const Corners& corners_W);
 
-// Everything that setup.show asks for, at one film frame, about the book's own center.
-void add_overlays(Shot& shot, const BookSetup& setup, const BookTrack& track, std::size_t frame);
+// At one frame: the book, unless it is gone, and everything that setup.show asks for, moved by `shift` (shot.h). A book
+// that has exploded is so large, and turns so fast, that it would flash: it is dimmed within a fifth of a second. Of one
+// that is gone the ghosts stay. The shot's camera must be there: of the polhode's lines those behind are paler.
+void add_book(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame, int fps, bool gone,
+              const Eigen::Vector2d& shift);
 
 struct Sphere {
   Eigen::Vector3d center_W;

@@ -19,7 +19,7 @@
 #include "film/process.h"
 #include "film/storyboard.h"
 #include "image/png.h"
-#include "video/mp4_writer.h"
+#include "video/film_writer.h"
 
 namespace bookspin {
 namespace {
@@ -124,9 +124,9 @@ FilmReceipt shoot(const Film& film, const fs::path& folder, Renderer& renderer, 
   const Products names = prepare(film, folder);
   PartsOfFilm parts(film, names);
   auto& [mp4, poster, data] = parts;
-  std::optional<Mp4Writer> writer;
+  std::optional<FilmWriter> writer;
   if (mp4) {
-    writer.emplace(*mp4, Mp4Writer::Settings{film.width, film.height, film.scene.clip.fps, film.scene.title});
+    writer.emplace(*mp4, FilmWriter::Settings{film.width, film.height, film.scene.clip.fps, film.scene.title});
   }
   const Trajectory trajectory = simulate(film.scene, stop, &progress.frames_simulated);
   FilmReceipt receipt;

@@ -51,8 +51,9 @@ struct FilmOutcome {
   std::string error;
 };
 
-// All films, the longest first, each in a process of its own, `workers` at a time: one that dies costs its film. Outcomes
-// in the order of the films. `go_on` is called ten times a second, with the progress up to date; when it says no, all stop.
+// All films, the longest first, each in a process of its own, `workers` at a time: one that dies costs its film.
+// Outcomes in the order of the films. `go_on` is called ten times a second, with the progress up to date; when it says
+// no, all stop.
 [[nodiscard]] std::vector<FilmOutcome> shoot_all(
     std::span<const Film> films, const std::filesystem::path& folder, const std::filesystem::path& assets, int workers,
     Progress& progress, const std::function<bool()>& go_on = [] { return true; });

@@ -68,10 +68,7 @@ Storyboard::Storyboard(const Scene& scene, const Trajectory& trajectory, int wid
     camera_.eye_W = distance * R_CW.row(2).transpose();
     const Eigen::Vector2d middle = picture_of(stands, R_CW, distance).center();
     shifts_.clear();
-    for (const Stand& stand : stands) {
-      const Eigen::Vector2d place = stand.place / distance - middle;
-      shifts_.emplace_back(Eigen::Vector2d(place.x(), -place.y()) / (2.0 * std::tan(film_fov / 2.0)));
-    }
+    for (const Stand& stand : stands) shifts_.push_back(shift_of(stand, distance, middle));
     lowest = 0.0;
     for (const Label& label : text(0)) {
       if (!label.anchor_W) continue;
@@ -128,31 +125,8 @@ Shot Storyboard::shot(int frame) const {
   Shot shot;
   shot.camera = camera_;
   for (std::size_t b = 0; b < scene_->books.size(); ++b) {
-    BookSetup setup = scene_->books[b];
-    const BookTrack& track = trajectory_->books[b];
-    const auto n = static_cast<std::size_t>(frame);
-    Shot alone;
-    alone.camera = camera_;
-    if (frame <= last_frames_[b]) {
-      alone.books.push_back({as_bound(setup, track.frames[n].corners_W),
-                             setup.style == Style::ghost ? BookStyle::ghost : BookStyle::solid});
-      if (track.frames[n].exploded()) {
-        alone.books.front().brightness = exploded_brightness((frame - *track.exploded_frame + 1.0) / scene_->clip.fps);
-      }
-    } else {  // the ghosts stay
-      std::erase_if(setup.show, [](Overlay o) { return o != Overlay::exact && o != Overlay::unrotated; });
-    }
-    add_overlays(alone, setup, track, n);
-    const auto put = [&](auto& from, auto& to, auto shift) {
-      for (auto& item : from) {
-        item.*shift += shifts_[b];
-        to.push_back(item);
-      }
-    };
-    put(alone.books, shot.books, &BookPose::shift);
-    put(alone.arrows, shot.arrows, &Arrow::shift);
-    put(alone.lines, shot.lines, &Line::shift);
-    put(alone.labels, shot.labels, &Label::position);
+    add_book(shot, scene_->books[b], trajectory_->books[b], frame, scene_->clip.fps, frame > last_frames_[b],
+             shifts_[b]);
   }
   for (Label& label : text(frame)) {
     label.height = set_height_.at(label.height);
@@ -162,7 +136,8 @@ Shot Storyboard::shot(int frame) const {
 }
 
 // From the top left down: title, explosions, the time and the figures that the script names; of several books below
-// each, with its name; and how far off a book is that nothing else would say it of. Never at the bottom left, where a browser's controls lie over them.
+// each, with its name; and how far off a book is that nothing else would say it of. Never at the bottom left, where a
+// browser's controls lie over them.
 std::vector<Label> Storyboard::text(int frame) const {
   const std::vector<BookSetup>& books = scene_->books;
   std::vector<Label> labels{make_label(scene_->title, title_height, palette::gray, {left_edge, title_y}, Align::left)};

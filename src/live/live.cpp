@@ -46,7 +46,7 @@ const char* cell(const Table& table, int row, const Column& column) {
   return i < table.size() ? column(table[i]).data() : nullptr;  // literals: each ends in a zero
 }
 
-constexpr double seconds_per_frame = 1.0 / 60.0;
+constexpr int frames_a_second = 60;
 constexpr double band = 0.96;            // of the height, for the books
 constexpr double room_to_shiver = 1.08;  // of what a healthy book reaches
 
@@ -183,31 +183,12 @@ const float* live_picture(live* self, int frame, const double from[3], double zo
   const Eigen::Vector2d middle = picture_of(stands, R_CW, distance * zoom).center();
 
   Shot shot;
+  shot.camera = camera;
   for (std::size_t b = 0; b < self->books.size(); ++b) {
-    BookSetup setup = self->books[b];
+    const BookSetup& setup = self->books[b];
     const BookTrack& track = self->runs[b].track();
-    const BookFrame& now = track.frames[static_cast<std::size_t>(frame)];
-    const Eigen::Vector2d place = stands[b].place / distance - middle;
-    const Eigen::Vector2d shift = Eigen::Vector2d(place.x(), -place.y()) / (2.0 * std::tan(film_fov / 2.0));
-    Shot alone;
-    if (is_gone(now, distance / body_of(setup.options).reach)) {
-      std::erase_if(setup.show, [](Overlay o) { return o != Overlay::exact && o != Overlay::unrotated; });
-    } else {
-      const double brightness =
-          now.exploded() ? exploded_brightness((frame - *track.exploded_frame + 1) * seconds_per_frame) : 1.0;
-      alone.books.push_back({as_bound(setup, now.corners_W),
-                             setup.style == Style::ghost ? BookStyle::ghost : BookStyle::solid, shift, brightness});
-    }
-    add_overlays(alone, setup, track, static_cast<std::size_t>(frame));
-    const auto move = [&](auto& from_list, auto& to_list) {
-      for (auto& item : from_list) {
-        item.shift = shift;
-        to_list.push_back(item);
-      }
-    };
-    move(alone.books, shot.books);
-    move(alone.arrows, shot.arrows);
-    move(alone.lines, shot.lines);
+    const bool gone = is_gone(track.frames[static_cast<std::size_t>(frame)], distance / body_of(setup.options).reach);
+    add_book(shot, setup, track, frame, frames_a_second, gone, shift_of(stands[b], distance, middle));
   }
 
   // In the renderer's order; what is not in sight is not drawn.

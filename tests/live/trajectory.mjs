@@ -24,7 +24,7 @@ function g17(x) {
   return e < 0 ? number("0", "0".repeat(-1 - e) + first + rest) : number(first + rest.slice(0, e), rest.slice(e));
 }
 
-const at = (name) => 38 + engine.quantities.findIndex((q) => q.name === name);
+const at = (name) => engine.place(name);
 const before = ["kinetic_energy", "elastic_energy", "stretch", "angle_error"];
 const after = engine.quantities.map((q) => q.name).filter((name) => !before.includes(name));
 const corners = Array.from({ length: 8 }, (_, i) => ["x", "y", "z"].map((axis) => `c${i}${axis}`)).flat();

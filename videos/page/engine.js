@@ -70,6 +70,11 @@ class Engine {
     return new Float64Array(this.#wasm.memory.buffer, this.#wasm.live_track(this.#scene, book), this.frames * this.doubles);
   }
 
+  // Where a quantity stands among a frame's doubles.
+  place(name) {
+    return this.doubles - this.quantities.length + this.quantities.findIndex((q) => q.name === name);
+  }
+
   // The hardcover, coarse (1) or fine (4).
   mesh(fineness) {
     const at = this.#wasm.live_mesh(fineness);
