@@ -8,8 +8,8 @@
 #include "report/draft.h"
 #include "scene/scene_file.h"
 #include "scene/simulate.h"
+#include "video/film_writer.h"
 #include "video/i420.h"
-#include "video/mp4_writer.h"
 
 namespace bookspin {
 
@@ -34,7 +34,7 @@ FrameCost frame_cost(const Scene& scene, const FrameCostOrder& order) {
   double writing = none;  // which converts, too
   for (int pass = 0; pass < order.passes; ++pass) {
     const Part part(order.scratch / "frame_cost.mp4");  // never published
-    Mp4Writer film(part, {order.width, order.height, scene.clip.fps, ""});
+    FilmWriter film(part, {order.width, order.height, scene.clip.fps, ""});
     double converting = 0.0;
     double all = 0.0;
     for (int n = 0; n < frames; ++n) {

@@ -22,7 +22,8 @@ class Palette {
   // 256; those after the opaque ones are transparent, by which the encoder says "as before".
   [[nodiscard]] const std::vector<std::uint32_t>& argb() const { return argb_; }
 
-  // The nearest color's index for every pixel inside `area`, which lies inside the image. `stride`: bytes from row to row.
+  // The nearest color's index for every pixel inside `area`, which lies inside the image. `stride`: bytes from row to
+  // row.
   void convert(const Image& image, const Rect& area, std::uint8_t* indices, std::ptrdiff_t stride);
 
  private:

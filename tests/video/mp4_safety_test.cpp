@@ -8,8 +8,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "video/film_writer.h"
 #include "video/mp4_reader.h"
-#include "video/mp4_writer.h"
 #include "video/test_pictures.h"
 
 namespace bookspin {
@@ -20,15 +20,15 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 const MovingBox scene{128, 72};
-const Mp4Writer::Settings settings{.width = 128, .height = 72, .fps = 60, .title = {}};
+const FilmWriter::Settings settings{.width = 128, .height = 72, .fps = 60, .title = {}};
 
-void write_frames(Mp4Writer& writer, int frames) {
+void write_frames(FilmWriter& writer, int frames) {
   for (int k = 0; k < frames; ++k) writer.write(scene.draw(k), scene.changed(k));
 }
 
 void write_film(const std::filesystem::path& file, int frames) {
   Part part(file);
-  Mp4Writer writer(part, settings);
+  FilmWriter writer(part, settings);
   write_frames(writer, frames);
   writer.finish();
   publish({&part});
@@ -40,7 +40,7 @@ TEST(Mp4Safety, UnfinishedFilmLeavesTheOldOne) {
   const std::string good = bytes_of(folder / "film.mp4");
   {
     const Part part(folder / "film.mp4");
-    Mp4Writer writer(part, settings);
+    FilmWriter writer(part, settings);
     write_frames(writer, 100);
     EXPECT_EQ(bytes_of(folder / "film.mp4"), good);
   }
@@ -55,7 +55,7 @@ TEST(Mp4Safety, BadDataIsRefused) {
   const Part part(empty_folder("refused") / "film.mp4");
   const auto open = [&](int width, int height, int fps) {
     return
-        [&part, width, height, fps] { Mp4Writer(part, {.width = width, .height = height, .fps = fps, .title = {}}); };
+        [&part, width, height, fps] { FilmWriter(part, {.width = width, .height = height, .fps = fps, .title = {}}); };
   };
   const auto odd = [](const std::string& size) {
     return ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("film.mp4"), HasSubstr(size), HasSubstr("even")));
@@ -66,7 +66,7 @@ TEST(Mp4Safety, BadDataIsRefused) {
   EXPECT_THAT(open(-2, 72, 60), odd("-2x72"));
   EXPECT_THAT(open(128, 72, 0), ThrowsMessage<std::invalid_argument>(HasSubstr("0 frames a second")));
 
-  Mp4Writer writer(part, settings);
+  FilmWriter writer(part, settings);
   EXPECT_THAT([&] { writer.write(Image(128, 70), {}); },
               ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("128x70"), HasSubstr("128x72"))));
   EXPECT_THAT([&] { writer.finish(); }, ThrowsMessage<std::invalid_argument>(HasSubstr("at least one frame")));
@@ -74,7 +74,7 @@ TEST(Mp4Safety, BadDataIsRefused) {
 
 TEST(Mp4Safety, LibavSpeaksInTheError) {
   const Part part(empty_folder("encoder") / "film.mp4");
-  EXPECT_THAT(([&] { Mp4Writer(part, {.width = 1 << 28, .height = 2, .fps = 60, .title = {}}); }),
+  EXPECT_THAT(([&] { FilmWriter(part, {.width = 1 << 28, .height = 2, .fps = 60, .title = {}}); }),
               ThrowsMessage<std::runtime_error>(
                   AllOf(HasSubstr("film.mp4"), HasSubstr("open the encoder"), HasSubstr("268435456x2"))));
 }
@@ -148,7 +148,7 @@ TEST(Mp4Safety, LongFilmNeedsNoMoreMemory) {
 #endif
   if (resident_bytes() == 0) GTEST_SKIP() << "this system does not say how much memory a process holds";
   const Part part(empty_folder("memory") / "film.mp4");
-  Mp4Writer writer(part, settings);
+  FilmWriter writer(part, settings);
   write_frames(writer, 300);
   const std::int64_t before = resident_bytes();
   write_frames(writer, 2700);

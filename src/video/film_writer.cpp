@@ -1,4 +1,4 @@
-#include "video/mp4_writer.h"
+#include "video/film_writer.h"
 
 #include <algorithm>
 #include <array>
@@ -15,12 +15,12 @@
 namespace bookspin {
 namespace {
 
-// Chosen among some 20 settings, the last few measured on short pieces of all films in videos/ at 1280x720. Against veryfast
-// at a rate factor of 20 these take 0.55 of the time, for 1.22 times the bytes at 0.06 dB less with a factor of 24, for 1.16
-// times at 0.3 dB less with 24.3 (of 43.5, luma); 24.2 lies between. Tumbling books are large surfaces
-// in even motion: what looks ahead (mbtree, lookahead, adaptive B pictures) costs a third and finds little, as do finer steps
-// of the motion search (subme) and blocks of 8x8 in B pictures. Without blocks of 8x8 in P pictures, too: 0.50 of the time,
-// 0.2 dB less. The preset "superfast" triples the bytes.
+// Chosen among some 20 settings, the last few measured on short pieces of all films in videos/ at 1280x720. Against
+// veryfast at a rate factor of 20 these take 0.55 of the time, for 1.22 times the bytes at 0.06 dB less with a factor of
+// 24, for 1.16 times at 0.3 dB less with 24.3 (of 43.5, luma); 24.2 lies between. Tumbling books are large surfaces in
+// even motion: what looks ahead (mbtree, lookahead, adaptive B pictures) costs a third and finds little, as do finer
+// steps of the motion search (subme) and blocks of 8x8 in B pictures. Without blocks of 8x8 in P pictures, too: 0.50 of
+// the time, 0.2 dB less. The preset "superfast" triples the bytes.
 //
 // No scene cuts: key frames fall on whole seconds and nowhere else. cpu-independent: the same bytes on every machine.
 struct Format {
@@ -80,7 +80,7 @@ std::string describe_encoder() {
   return std::string(find_encoder(formats.front().encoder)->name) + " by libavcodec " + encoder_version();
 }
 
-struct Mp4Writer::Film {
+struct FilmWriter::Film {
   std::filesystem::path file;  // the film's name, for messages
   std::filesystem::path path;  // where it is written
   Settings settings;
@@ -106,7 +106,7 @@ struct Mp4Writer::Film {
   }
 };
 
-Mp4Writer::Film::Film(const Part& part, Settings wanted)
+FilmWriter::Film::Film(const Part& part, Settings wanted)
     : file(part.file()), path(part.path()), settings(std::move(wanted)), format(format_of(file)), every(1) {
   if (settings.width <= 0 || settings.height <= 0 || settings.width % 2 != 0 || settings.height % 2 != 0) {
     throw std::invalid_argument(file.string() + ": size " + size_text(settings.width, settings.height) +
@@ -134,7 +134,7 @@ Mp4Writer::Film::Film(const Part& part, Settings wanted)
   check(av_frame_get_buffer(picture.get(), 0), "allocate a picture");
 }
 
-void Mp4Writer::Film::open_muxer() {
+void FilmWriter::Film::open_muxer() {
   // "file:" keeps a name with a colon from being read as a protocol.
   const std::string url = "file:" + path.string();
   AVFormatContext* context = nullptr;
@@ -152,7 +152,7 @@ void Mp4Writer::Film::open_muxer() {
   check(av_dict_set(&muxer->metadata, "title", settings.title.c_str(), 0), "set the title");
 }
 
-void Mp4Writer::Film::open_encoder() {
+void FilmWriter::Film::open_encoder() {
   const AVCodec* codec = find_encoder(format.encoder);
   encoder = owned(avcodec_alloc_context3(codec));
   encoder->width = settings.width;
@@ -180,7 +180,7 @@ void Mp4Writer::Film::open_encoder() {
   assert(av_dict_count(unknown.get()) == 0);
 }
 
-void Mp4Writer::Film::write_header() {
+void FilmWriter::Film::write_header() {
   check(avcodec_parameters_from_context(stream->codecpar, encoder.get()), "describe the stream");
   stream->time_base = encoder->time_base;
   stream->avg_frame_rate = encoder->framerate;
@@ -199,7 +199,7 @@ void Mp4Writer::Film::write_header() {
 }
 
 // A null frame drains the encoder, which holds frames back to look ahead.
-void Mp4Writer::Film::encode(const AVFrame* frame) {
+void FilmWriter::Film::encode(const AVFrame* frame) {
   check(avcodec_send_frame(encoder.get(), frame), "encode");
   for (;;) {
     const int received = avcodec_receive_packet(encoder.get(), packet.get());
@@ -216,19 +216,19 @@ void Mp4Writer::Film::encode(const AVFrame* frame) {
   }
 }
 
-Mp4Writer::Mp4Writer(const Part& part, const Settings& settings) : film_(std::make_unique<Film>(part, settings)) {}
+FilmWriter::FilmWriter(const Part& part, const Settings& settings) : film_(std::make_unique<Film>(part, settings)) {}
 
-Mp4Writer::~Mp4Writer() = default;
+FilmWriter::~FilmWriter() = default;
 
-void Mp4Writer::sample(const Image& picture) {
+void FilmWriter::sample(const Image& picture) {
   film_->palette.sample(picture);
 }
 
-bool Mp4Writer::needs_samples() const {
+bool FilmWriter::needs_samples() const {
   return film_->format.pixels == AV_PIX_FMT_PAL8;
 }
 
-void Mp4Writer::write(const Image& frame, Rect changed) {
+void FilmWriter::write(const Image& frame, Rect changed) {
   assert(film_ != nullptr);
   Film& film = *film_;
   if (frame.width != film.settings.width || frame.height != film.settings.height) {
@@ -255,7 +255,7 @@ void Mp4Writer::write(const Image& frame, Rect changed) {
   film.encode(picture);
 }
 
-void Mp4Writer::finish() {
+void FilmWriter::finish() {
   assert(film_ != nullptr);
   Film& film = *film_;
   if (film.pictures == 0) throw std::invalid_argument(film.file.string() + ": a film needs at least one frame");

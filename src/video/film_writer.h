@@ -21,7 +21,7 @@ namespace bookspin {
 [[nodiscard]] std::string describe_encoder();
 [[nodiscard]] std::string encoder_version();  // of libavcodec
 
-class Mp4Writer {
+class FilmWriter {
  public:
   struct Settings {
     int width = 1280;   // pixels, even
@@ -30,10 +30,10 @@ class Mp4Writer {
     std::string title;  // as players show it; empty: none
   };
 
-  Mp4Writer(const Part& part, const Settings& settings);
-  Mp4Writer(const Mp4Writer&) = delete;
-  Mp4Writer& operator=(const Mp4Writer&) = delete;
-  ~Mp4Writer();
+  FilmWriter(const Part& part, const Settings& settings);
+  FilmWriter(const FilmWriter&) = delete;
+  FilmWriter& operator=(const FilmWriter&) = delete;
+  ~FilmWriter();
 
   // A GIF's colors are those of the pictures shown before the first frame; other films need none.
   void sample(const Image& picture);
