@@ -192,10 +192,10 @@ std::string base64(const std::string& bytes) {
   return out;
 }
 
-// A scene that the panel can show and say again as a script to the last digit.
+// A scene that the panel can show and say again as a script to the last digit. JavaScript's whole numbers end at 2^53.
 bool can_be_live(const Json& scene) {
   return scene.is_object() && scene.value("frames", 0) > 1 && scene.value("substeps", 0) <= 20000 &&
-         scene.contains("books") && scene["books"].is_array() &&
+         scene.value("seed", 0.0) <= 0x1p53 && scene.contains("books") && scene["books"].is_array() &&
          std::all_of(scene["books"].begin(), scene["books"].end(), [](const Json& book) {
            return book.is_object() && book.contains("orientation") && book["orientation"].is_null() &&
                   book.contains("moments") && book["moments"] == Json{0.0, 0.0, 0.0};
@@ -227,7 +227,8 @@ Json live_context(const LiveParts& parts, const std::vector<FilmRecord>& films, 
   return {{"data", text},
           {"html", read_file(templates / "live.html")},
           {"style", read_file(templates / "live.css")},
-          {"behavior", read_file(templates / "engine.js") + read_file(templates / "live.js")}};
+          {"behavior", read_file(templates / "engine.js") + read_file(templates / "painter.js") +
+                           read_file(templates / "curves.js") + read_file(templates / "live.js")}};
 }
 
 // Turns every {{film NAME: panels}} into {{{films.NAME}}} and notes the panels.

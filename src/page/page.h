@@ -5,10 +5,10 @@
 // written into it, the charts are drawn here. In template.html, {{film NAME: panels}} is the place of NAME, panels as
 // chart.h says. When half of these are there, the template's {{#story}} is told: the others' places say what is missing,
 // films without a place follow under {{#more}}. Else all are under {{#more}}. film.html is one film on the page,
-// figure.html the snippet for one's own page; see fill.h. {{#live}} is told where there is a panel (live.html, live.css,
-// engine.js and live.js): {{{html}}}, {{{style}}}, {{{behavior}}}, and {{{data}}}, the module, shaders, textures and scenes. {{#speed}} is a table of report/report.json, if that is there.
-// Throws as read_film_record does, and std::runtime_error (file, operation, the library's text) when there is no film,
-// a product of one is missing, or a file cannot be written; an older page then survives.
+// figure.html the snippet for one's own page; see fill.h. {{#live}} is the panel, docs/LIVE.md; {{#speed}} a table of
+// report/report.json; both where they are there. Throws as read_film_record does, and std::runtime_error (file,
+// operation, the library's text) when there is no film, a product of one is missing, or a file cannot be written; an
+// older page then survives.
 #pragma once
 
 #include <cstdint>
@@ -24,8 +24,8 @@ struct LiveParts {
 };
 
 struct PageOrder {
-  std::filesystem::path site;       // folder of NAME.json, NAME.png and NAME.mp4; index.html goes there
-  std::filesystem::path templates;  // folder of template.html, film.html, missing.html, figure.html, page.css, page.js
+  std::filesystem::path site;          // folder of NAME.json, NAME.png and NAME.mp4; index.html goes there
+  std::filesystem::path templates;     // folder of template.html and what it takes in
   std::optional<LiveParts> live = {};  // none: the page is whole without its panel
 };
 
