@@ -2,31 +2,13 @@
 // FOLDER holds site/ and node_modules/, VIDEOS the scripts. Prints one line a check; exit code 1 when one fails.
 
 import { createServer } from "node:http";
-import { createRequire } from "node:module";
 import { cpSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { extname, join } from "node:path";
 import { pathToFileURL } from "node:url";
+import { axe, check, close, expect, finish, launch, openPage } from "./browser.mjs";
 
 const [folder, videos] = process.argv.slice(2);
-const require = createRequire(join(folder, "node_modules", "x.js"));
-const { chromium } = require("playwright-core");
-const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 const site = join(folder, "site");
-
-let failed = 0;
-async function check(name, work) {
-  const start = Date.now();
-  try {
-    await work();
-    console.log(`ok      ${name} (${((Date.now() - start) / 1000).toFixed(1)} s)`);
-  } catch (error) {
-    ++failed;
-    console.log(`FAILED  ${name}\n        ${String(error.stack ?? error).split("\n").slice(0, 4).join("\n        ")}`);
-  }
-}
-function expect(condition, message) {
-  if (!condition) throw new Error(message);
-}
 
 // Serves the site as any web server does: with ranges, without which a browser cannot seek.
 const types = { ".html": "text/html; charset=utf-8", ".mp4": "video/mp4", ".png": "image/png", ".json": "application/json", ".svg": "image/svg+xml",
@@ -45,41 +27,13 @@ const server = createServer((request, response) => {
 });
 await new Promise((done) => server.listen(0, "127.0.0.1", done));
 
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-  args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-    "--disable-component-update", "--disable-sync"],
-});
+const browser = await launch("--disable-gpu");
 const origins = {
   "file://": pathToFileURL(join(site, "index.html")).href,
   "a server": `http://127.0.0.1:${server.address().port}/index.html`,
 };
 
-// A page whose every complaint, and every request that leaves the site, is an error.
-async function open(address, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
-  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
-  const page = await context.newPage();
-  page.complaints = [];
-  page.on("console", (message) => {
-    // Without a GPU the browser itself reads each picture of the live panel back, and says so.
-    if (message.type() !== "log" && !/GPU stall due to ReadPixels/.test(message.text())) page.complaints.push(`console ${message.type()}: ${message.text()}`);
-  });
-  page.on("pageerror", (error) => page.complaints.push(`uncaught: ${error.message}`));
-  page.on("request", (request) => {
-    const home = new URL(address);
-    const there = new URL(request.url());
-    if (there.protocol !== "data:" && there.protocol + there.host !== home.protocol + home.host) {
-      page.complaints.push(`request to ${there.href}`);
-    }
-  });
-  await page.goto(address);
-  return page;
-}
-async function close(page) {
-  await page.context().close();
-  expect(page.complaints.length === 0, page.complaints.join("; "));
-}
+const open = (address, options = {}) => openPage(browser, address, { viewport: { width: 1280, height: 900 }, ...options });
 
 const names = (page) => page.$$eval(".film:has(video)", (films) => films.map((film) => film.id));
 
@@ -367,5 +321,4 @@ await check("text and charts are there without a script", async () => {
 
 await browser.close();
 server.close();
-console.log(failed === 0 ? "all well" : `${failed} failed`);
-process.exitCode = failed === 0 ? 0 : 1;
+finish();

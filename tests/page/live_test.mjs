@@ -1,63 +1,29 @@
 // What a student does with the live panel, in headless Chromium: live_test.mjs FOLDER BOOKSPIN
-// FOLDER holds site/ and node_modules/. Prints one line a check; exit code 1 when one fails.
+// FOLDER holds site/ and node_modules/. Prints one line a check; exit code 1 when one fails, 77 without a panel.
 
 import { execFileSync } from "node:child_process";
-import { createRequire } from "node:module";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
+import { axe, check, close, expect, finish, launch, openPage } from "./browser.mjs";
 
 const [folder, bookspin] = process.argv.slice(2);
-const require = createRequire(join(folder, "node_modules", "x.js"));
-const { chromium } = require("playwright-core");
-const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 const address = pathToFileURL(join(folder, "site", "index.html")).href;
 if (!readFileSync(join(folder, "site", "index.html"), "utf8").includes('id="live-data"')) {
-  console.log("the page has no live panel: its module could not be built (docs/LIVE.md)");
-  process.exit(0);
+  console.log("page_live skipped: the page has no live panel, as its module could not be built (docs/LIVE.md)");
+  process.exit(77);
 }
 
-let failed = 0;
-async function check(name, work) {
-  const start = Date.now();
-  try {
-    await work();
-    console.log(`ok      live: ${name} (${((Date.now() - start) / 1000).toFixed(1)} s)`);
-  } catch (error) {
-    ++failed;
-    console.log(`FAILED  live: ${name}\n        ${String(error.stack ?? error).split("\n").slice(0, 4).join("\n        ")}`);
-  }
-}
-function expect(condition, message) {
-  if (!condition) throw new Error(message);
-}
-
-const launch = (...more) => chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-  args: ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync", ...more] });
 const browser = await launch("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader");
 
-// A page whose every complaint, and every request that leaves it, is an error; its panel there and in sight.
+// The page, its panel there, in sight and at the end of its motion.
 async function open(hash = "", options = {}) {
-  const context = await browser.newContext({ viewport: { width: 640, height: 700 }, reducedMotion: "reduce", ...options });
-  context.setDefaultTimeout(120000);
-  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
-  const page = await context.newPage();
-  page.complaints = [];
-  page.on("console", (message) => {
-    // Without a GPU the browser itself reads each picture of the live panel back, and says so.
-    if (message.type() !== "log" && !/GPU stall due to ReadPixels/.test(message.text())) page.complaints.push(`console ${message.type()}: ${message.text()}`);
-  });
-  page.on("pageerror", (error) => page.complaints.push(`uncaught: ${error.message}`));
-  page.on("request", (request) => { if (!/^(file|data):/.test(request.url())) page.complaints.push(`request to ${request.url()}`); });
-  await page.goto(address + hash);
+  const page = await openPage(browser, address + hash, { viewport: { width: 640, height: 700 }, reducedMotion: "reduce", ...options });
+  page.context().setDefaultTimeout(120000);
   await page.waitForFunction(() => document.getElementById("live").panel);
   await page.locator("#live .live-grid").scrollIntoViewIfNeeded();
   await complete(page);
   return page;
-}
-async function close(page) {
-  await page.context().close();
-  expect(page.complaints.length === 0, page.complaints.join("; "));
 }
 const complete = (page) => page.waitForFunction(() => document.getElementById("live").panel.complete);
 const panel = (page, look) => page.evaluate(`((panel) => (${look}))(document.getElementById("live").panel)`);
@@ -347,5 +313,4 @@ await check("without WebGL2 the films are there, and nothing is said", async () 
   await poor.close();
 });
 
-console.log(failed === 0 ? "all well" : `${failed} failed`);
-process.exitCode = failed === 0 ? 0 : 1;
+finish();
