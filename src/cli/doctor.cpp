@@ -15,7 +15,7 @@
 #include "render/renderer.h"
 #include "render/text.h"
 #include "report/plots.h"
-#include "video/mp4_writer.h"
+#include "video/film_writer.h"
 
 namespace bookspin {
 namespace {

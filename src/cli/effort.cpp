@@ -18,7 +18,7 @@ constexpr double megabyte = 1e6;
 constexpr double bytes_of_the_program = 680 * megabyte;
 constexpr double bytes_of_a_pixel = 125;
 
-// Measured on one core: docs/NUMBERS.md.
+// For an estimate to the minute; a frame of 1280x720 takes 10 to 14 ms of one core (docs/NUMBERS.md).
 constexpr double seconds_of_a_frame = 3e-3;
 constexpr double seconds_of_a_pixel = 8e-9;
 constexpr double seconds_of_measuring = 1e-5;  // a book in a frame

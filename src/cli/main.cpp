@@ -64,8 +64,8 @@ int run(int argc, char** argv) {
     finish_output();
     return exit_code;
   };
-  // The report measures for minutes without a look at the token: it ends by the signal itself. Films are made by processes,
-  // which begin before any thread does.
+  // The report measures for minutes without a look at the token: it ends by the signal itself. Films are made by
+  // processes, which begin before any thread does.
   const bool threadless = command.run == report || command.run == render_scenes;
   return threadless ? run_to_the_end({}) : stoppable(run_to_the_end);
 }

@@ -6,9 +6,8 @@
 // triangle inequality. Cost and error do not depend on t: 8e-16 rad in q_WB, 5e-16 |L| in L_B (the largest measured),
 // for the motion of the very doubles given, however near the separatrix 2 E I_b = L^2; components below 1e-265 |L| count
 // as zero. Beyond 2^51 turns a double t resolves no turn: the result is then arbitrary. Every machine with IEEE doubles
-// gets the same bits (-ffp-contract=off). Throws std::invalid_argument when a moment or edge is not positive and finite (one
-// edge may be 0),
-// q_WB0 is no rotation, L_W or omega_W is not finite, or these lead out of the range of double.
+// gets the same bits (-ffp-contract=off). Throws std::invalid_argument when a moment or edge is not positive and finite
+// (one edge may be 0), q_WB0 is no rotation, L_W or omega_W is not finite, or these lead out of the range of double.
 // Derivation and sources: docs/torque_free.md, to whose sections the code refers.
 #pragma once
 

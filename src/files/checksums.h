@@ -2,7 +2,7 @@
 //
 // A folder's list is its file "bookspin.sha256", as `sha256sum --check` reads it: one line a file, "DIGEST  NAME", by
 // name; a name with a newline or a backslash is escaped, and the line then starts with a backslash. Lines that are not
-// of this form are passed over. Versions up to 1.1 wrote no lists: their files are known by what they hold. Source: GNU
+// of this form are passed over. Versions before 1.1 wrote no lists: their files are known by what they hold. Source: GNU
 // coreutils (the form).
 #pragma once
 

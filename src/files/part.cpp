@@ -49,8 +49,7 @@ std::string kind_of(const std::string& name) {
 class FolderLock {
  public:
   explicit FolderLock(const fs::path& folder) : folder_{open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)} {
-    constexpr int most_tries =
-        500;  // in ten seconds: who publishes needs less, and who runs us under `flock FOLDER` more
+    constexpr int most_tries = 500;  // in ten seconds: a publisher takes less, `flock FOLDER bookspin ...` for ever
     for (int tries = 0; folder_.number >= 0 && !held_; ++tries) {
       held_ = flock(folder_.number, LOCK_EX | LOCK_NB) == 0;
       if (held_ || errno != EWOULDBLOCK) return;

@@ -218,8 +218,8 @@ double hollow(double w) {
   return fore_edge_hollow * std::sqrt(1 - std::pow(2 * w - 1, 2));
 }
 
-// The insides of the boards and the spine, lined with paper and in the shade. Only where they stand out over the pages: the
-// rest, which is never seen, would cost half of a book's drawing.
+// The insides of the boards and the spine, lined with paper and in the shade. Only where they stand out over the pages:
+// the rest, which is never seen, would cost half of a book's drawing.
 void add_insides(Builder& builder, const Divisions& n) {
   constexpr double tuck = 0.005;  // under the pages
   const double margin = overhang_y + tuck, pages_end = 1 - overhang_x - hollow(board) - tuck;

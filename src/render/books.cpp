@@ -17,8 +17,8 @@ namespace {
 constexpr Color ghost_tint{190, 228, 255, 255};
 constexpr double coincident = 4e-5;  // depths that differ by less are one, in clip coordinates: an 800th of a book
 
-// Mipmapped: of the level nearest to a slightly finer one than OpenGL would choose. Against 64 samples a pixel of three films
-// the mean error is 2.4 levels, that of trilinear filtering 2.6, and books cost a sixth less to draw.
+// Mipmapped: of the level nearest to a slightly finer one than OpenGL would choose. Against 64 samples a pixel of three
+// films the mean error is 2.4 levels, that of trilinear filtering 2.6, and books cost a sixth less to draw.
 // Encoded colors are drawn as plain numbers: see book.frag. OpenGL would make the levels too, but not of encoded colors,
 // and in five times the time.
 Handle upload_texture(const GladGLContext& gl, const std::filesystem::path& file) {

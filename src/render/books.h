@@ -1,10 +1,11 @@
 // Draws books into the current frame buffer: the hardcover's mesh carried by the trilinear map of the eight corners.
 //
-// A ghost is one translucent layer of the same mesh, hidden by what is in front of it, and by what lies where it lies; its
-// borders are drawn in full where they are seen and faintly where not. So a ghost that coincides with a solid book is
-// that book with its edges traced.
+// A ghost is one translucent layer of the same mesh, hidden by what is in front of it, and by what lies where it lies;
+// its borders are drawn in full where they are seen and faintly where not. So a ghost that coincides with a solid book
+// is that book with its edges traced.
 //
-// Needs <assets>/shaders/{book.vert,book.frag,ghost.frag,border.vert,line.frag} and <assets>/textures/{front,back,spine,pages}.png.
+// Needs <assets>/shaders/{book.vert,book.frag,ghost.frag,border.vert,line.frag} and
+// <assets>/textures/{front,back,spine,pages}.png.
 // Throws std::runtime_error as Program and read_png do.
 #pragma once
 

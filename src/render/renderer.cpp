@@ -107,8 +107,7 @@ Footprint Renderer::Parts::find_footprint(const Shot& next, const View& view) {
     for (int i = 0; i < 8; ++i) corners[static_cast<std::size_t>(i)] = book.corners_W.col(i);
     result.books.push_back(bounds(corners, book.shift, margin_px));
   }
-  for (const Arrow& arrow : next.arrows)
-    result.arrows.push_back(bounds(arrow_hull(arrow), arrow.shift, margin_px));
+  for (const Arrow& arrow : next.arrows) result.arrows.push_back(bounds(arrow_hull(arrow), arrow.shift, margin_px));
   for (const Line& line : next.lines) {
     result.lines.push_back(bounds(std::array{line.from_W, line.to_W}, line.shift, margin_px + line.width_px));
   }
