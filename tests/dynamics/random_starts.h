@@ -53,4 +53,14 @@ inline double spring_step(const BookOptions& options) {
   return 0.05 * std::sqrt(options.particle_mass / options.stiffness);
 }
 
+// An irregular body, tumbling: no symmetry that could hide an error of low order (the paper's book is close to a flat
+// plate).
+inline BookOptions tumbling(Integrator integrator) {
+  BookOptions o;
+  o.size = {1.0, 1.7, 2.2};
+  o.omega_W = {0.6, 0.5, 0.4};
+  o.integrator = integrator;
+  return o;
+}
+
 }  // namespace bookspin

@@ -14,7 +14,7 @@
 
 #include "files/checksums.h"
 #include "film/film_data.h"
-#include "film/process.h"
+#include "film/tumbling.h"
 #include "image/png.h"
 #include "render/renderer.h"
 #include "scene/scene_file.h"
@@ -28,67 +28,6 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
-
-const fs::path project = BOOKSPIN_SOURCE_DIR;
-constexpr int width = 160;
-constexpr int height = 90;
-
-constexpr const char* tumbling = R"(
-title = "Tumbling"
-[clip]
-frames = 24
-fps = 30
-time_per_frame = 2.0
-substeps = 40
-[[book]]
-method = "matrix"
-angular_velocity = [0.2, 0.05, 0]
-[[expect]]
-quantity = "orthogonality_defect"
-at_most = 1e-12
-)";
-
-FilmSettings small() {
-  FilmSettings settings;
-  settings.width = width;
-  settings.height = height;
-  return settings;
-}
-
-std::vector<std::string> files_in(const fs::path& folder) {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-struct Shoot : testing::Test {
-  Shoot() { write_text(script, tumbling); }
-
-  FilmReceipt shoot_it(const Film& film, const std::stop_token& stop = {}) {
-    Renderer renderer(film.width, film.height, project);
-    return shoot(film, site, renderer, progress, stop);
-  }
-
-  FilmReceipt shoot_it() { return shoot_it(load_film(script, small())); }
-
-  // The products: name and content.
-  [[nodiscard]] std::map<std::string, std::string> products_there() const {
-    std::map<std::string, std::string> texts;
-    for (const std::string& name : files_in(site)) texts[name] = read_text(site / name);
-    return texts;
-  }
-
-  [[nodiscard]] bool up_to_date(const FilmSettings& settings = small()) const {
-    const Film film = load_film(script, settings);
-    return is_up_to_date(film, products(film, site));
-  }
-
-  Scratch scratch;
-  fs::path script = scratch / "tumbling.toml";
-  fs::path site = scratch / "site";
-  Progress progress;
-};
 
 TEST_F(Shoot, LeavesFilmPosterAndData) {
   const FilmReceipt receipt = shoot_it();
@@ -347,29 +286,6 @@ TEST_F(Shoot, AWorkerThatIsKilledCostsItsFilmOnly) {
   for (const std::string& name : files_in(site)) EXPECT_FALSE(name.starts_with(".bookspin-")) << name;
 }
 
-TEST(Process, SaysWhatItsWorkSaysOrWhyNot) {
-  EXPECT_EQ(Process([](const auto&) { return std::string(100000, 'x'); }).result(), std::string(100000, 'x'));
-  const auto error_of = [](const auto& work) -> std::string {
-    try {
-      return "returned " + Process(work).result();
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-  };
-  EXPECT_EQ(error_of([](const auto&) -> std::string { throw std::invalid_argument("no such book"); }), "no such book");
-  EXPECT_THAT(error_of([](const auto&) -> std::string {
-                std::raise(SIGSEGV);
-                return "";
-              }),
-              testing::StartsWith("its process "));  // a sanitizer ends it in its own way
-  Process waits([](const std::stop_token& stop) {
-    while (!stop.stop_requested()) std::this_thread::yield();
-    return std::string("stopped");
-  });
-  waits.ask_to_stop();
-  EXPECT_EQ(waits.result(), "stopped");
-}
-
 TEST_F(Shoot, AnUnmetExpectationIsFilmedAndReported) {
   FilmSettings settings = small();
   settings.overrides = {"expect.0.at_most=-1"};
@@ -378,67 +294,6 @@ TEST_F(Shoot, AnUnmetExpectationIsFilmedAndReported) {
   EXPECT_FALSE(receipt.verdicts[0].met);
   EXPECT_FALSE(nlohmann::json::parse(read_text(site / "tumbling.json"))["met"].get<bool>());
   EXPECT_FALSE(up_to_date(settings));  // it is told again until it is mended
-}
-
-TEST_F(Shoot, UpToDateMeansMadeOfThisScriptInThisWayAndWhole) {
-  EXPECT_FALSE(up_to_date());
-  shoot_it();
-  EXPECT_TRUE(up_to_date());
-  fs::last_write_time(script, fs::last_write_time(script) + std::chrono::hours(1));  // content counts, not time
-  EXPECT_TRUE(up_to_date());
-
-  FilmSettings other = small();
-  other.width = 320;
-  EXPECT_FALSE(up_to_date(other));
-  other = small();
-  other.overrides = {"seed=2"};
-  EXPECT_FALSE(up_to_date(other));
-  other = small();
-  other.end_frame = 23;
-  EXPECT_FALSE(up_to_date(other));
-  other = small();
-  other.drawn_by = "another shader";
-  EXPECT_FALSE(up_to_date(other));
-
-  for (const auto& [name, text] : products_there()) {
-    for (const std::string& damage : {std::string(), text.substr(0, text.size() / 2), "{\"met\": \"yes\"}" + text}) {
-      write_text(site / name, damage);
-      EXPECT_FALSE(up_to_date()) << name;
-    }
-    fs::remove(site / name);
-    EXPECT_FALSE(up_to_date()) << name;
-    write_text(site / name, text);
-    EXPECT_TRUE(up_to_date()) << name;
-  }
-}
-
-TEST_F(Shoot, AFilmByAnotherOpenGlIsNotUpToDate) {
-  shoot_it();
-  std::string data = read_text(site / "tumbling.json");
-  std::string list = read_text(site / checksums_name);
-  const std::string digest = sha256(data);
-  data.replace(data.find("\"OpenGL\": \"") + 11, 0, "Older ");
-  list.replace(list.find(digest), digest.size(), sha256(data));
-  write_text(site / "tumbling.json", data);
-  write_text(site / checksums_name, list);
-  EXPECT_FALSE(up_to_date());
-}
-
-// A scratch copy of what is drawn from: shaders and textures count, their sources do not.
-TEST(FingerprintOfDrawing, ChangesWithWhatIsDrawnFrom) {
-  const Scratch scratch;
-  for (const char* folder : {"shaders", "textures"}) fs::copy(project / folder, scratch / folder);
-  const std::string before = fingerprint_of_drawing(scratch.folder());
-  EXPECT_EQ(before, fingerprint_of_drawing(project));
-  write_text(scratch / "textures/front.svg", "");
-  EXPECT_EQ(before, fingerprint_of_drawing(scratch.folder()));
-  for (const char* file : {"shaders/line.frag", "textures/front.png"}) {
-    const std::string text = read_text(scratch / file);
-    write_text(scratch / file, text + " ");
-    EXPECT_NE(before, fingerprint_of_drawing(scratch.folder())) << file;
-    write_text(scratch / file, text);
-  }
-  EXPECT_EQ(before, fingerprint_of_drawing(scratch.folder()));
 }
 
 }  // namespace

@@ -1,0 +1,117 @@
+// Signals, and a terminal that goes away, while the program works.
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+#include "cli/my_script.h"
+#include "video/mp4_reader.h"
+
+namespace bookspin {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ContainsRegex;
+
+// Starts the program without a shell, which would have it ignore SIGINT; `error` is its standard error.
+pid_t start(const fs::path& folder, std::vector<const char*> arguments, const char* error = "/dev/null") {
+  std::fflush(stdout);  // once, not by the child too
+  const pid_t child = fork();
+  if (child != 0) return child;
+  fs::current_path(folder);
+  std::freopen("/dev/null", "w", stdout);
+  std::freopen(error, "w", stderr);
+  arguments.insert(arguments.begin(), "bookspin");
+  arguments.push_back(nullptr);
+  execv((std::string(BOOKSPIN_BINARY_DIR) + "/bookspin").c_str(), const_cast<char* const*>(arguments.data()));
+  _exit(127);
+}
+
+int exit_code_of(pid_t child) {
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+// Until the child has made a file there; not for one that ended without.
+void wait_for_a_file_in(const fs::path& folder, pid_t child) {
+  std::error_code not_yet;
+  while (fs::directory_iterator(folder, not_yet) == fs::directory_iterator()) {
+    siginfo_t ended{};
+    ASSERT_EQ(waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT), 0);
+    ASSERT_EQ(ended.si_pid, 0) << "the program ended without a file in " << folder;
+    usleep(10000);
+  }
+}
+
+struct Interruption {
+  const char* name;
+  int signal;
+  const char* set;
+};
+
+using Interrupts = Cli;
+
+class Interrupted : public testing::TestWithParam<Interruption> {};
+
+// The films, and the simulation of one, would last for minutes.
+TEST_P(Interrupted, LeavesNothingHalfMadeAndSaysBySignal) {
+  const Scratch scratch;
+  write_text(scratch / "mine.toml", good_script);
+  const pid_t child = start(
+      scratch.folder(),
+      {"render", "mine.toml", "-o", "films", "--size", "64x36", "--set", "clip.frames=100000", "--set", GetParam().set},
+      "error");
+  wait_for_a_file_in(scratch / "films", child);
+  kill(child, GetParam().signal);
+  EXPECT_EQ(exit_code_of(child), 128 + GetParam().signal);
+  const std::string error = read_text(scratch / "error");
+  EXPECT_THAT(error, ContainsRegex("^bookspin: mine.toml: 100000 frames of 64x36, 1666.7 s long; [0-9]+ steps; about "
+                                   "[0-9]+ min to make\nbookspin: stopped\n$"));
+  EXPECT_TRUE(fs::is_empty(scratch / "films"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Cli, Interrupted,
+                         testing::Values(Interruption{"filming_by_ctrl_c", SIGINT, "clip.substeps=1"},
+                                         Interruption{"filming_by_kill", SIGTERM, "clip.substeps=1"},
+                                         Interruption{"filming_by_hangup", SIGHUP, "clip.substeps=1"},
+                                         Interruption{"simulating_by_ctrl_c", SIGINT, "clip.substeps=100000"}),
+                         [](const auto& param_info) { return param_info.param.name; });
+
+TEST_F(Interrupts, CheckAndTrajectoryCanBeStopped) {
+  for (const char* command : {"check", "trajectory"}) {
+    ASSERT_EQ(mkfifo((scratch / "script").c_str(), 0600), 0);
+    const pid_t child = start(scratch.folder(), {command, "script", "--set", "clip.substeps=1000000"});
+    write_text(scratch / "script", good_script);  // from now on the command listens, or will before it simulates
+    kill(child, SIGTERM);
+    EXPECT_EQ(exit_code_of(child), 128 + SIGTERM) << command;
+    fs::remove(scratch / "script");
+  }
+}
+
+// The terminal goes away; whoever ignores the hangup, as nohup does, has the film made to its end.
+TEST_F(Interrupts, AProgressLineThatCannotBeWrittenIsDropped) {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  ASSERT_GE(terminal, 0);
+  ASSERT_EQ(grantpt(terminal) + unlockpt(terminal), 0);
+  auto* const before = std::signal(SIGHUP, SIG_IGN);
+  const pid_t child =
+      start(scratch.folder(), {"render", "mine.toml", "-o", "films", "--size", "64x36", "--set", "clip.frames=300"},
+            ptsname(terminal));
+  wait_for_a_file_in(scratch / "films", child);
+  close(terminal);
+  EXPECT_EQ(exit_code_of(child), 0);
+  EXPECT_EQ(read_mp4_info(scratch / "films/mine.mp4").frames, 300);
+  std::signal(SIGHUP, before);
+}
+
+}  // namespace
+}  // namespace bookspin
