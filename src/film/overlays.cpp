@@ -188,6 +188,7 @@ struct Drawing {
   Overlay id;
   void (*add)(Shot& shot, const BookSetup& setup, const BookTrack& track, std::size_t frame);
   double reach;  // from the book's center in any frame, its label too; as_its_labels: as far as those, frame by frame
+  bool around = false;  // it may stand below the book, where names do
 };
 
 constexpr double as_its_labels = -1.0;
@@ -195,11 +196,11 @@ constexpr double as_its_labels = -1.0;
 constexpr std::array drawings{Drawing{Overlay::axes, add_axes, as_its_labels},
                               Drawing{Overlay::angular_velocity, add_angular_velocity, arrow_length + 0.1},
                               Drawing{Overlay::angular_momentum, add_angular_momentum, arrow_length + 0.1},
-                              Drawing{Overlay::trace, add_trace, trace_length + 0.02},
+                              Drawing{Overlay::trace, add_trace, trace_length + 0.02, true},
                               Drawing{Overlay::springs, add_springs, 0.0},
                               Drawing{Overlay::exact, add_exact, 1.0},
                               Drawing{Overlay::unrotated, add_unrotated, 1.0},
-                              Drawing{Overlay::polhode, add_polhode, polhode_length + 0.02}};
+                              Drawing{Overlay::polhode, add_polhode, polhode_length + 0.02, true}};
 
 static_assert(drawings.size() == overlay_table.size());
 static_assert(std::all_of(drawings.begin(), drawings.end(),
@@ -263,6 +264,14 @@ void add_book(Shot& shot, const BookSetup& setup, const BookTrack& track, int fr
   put(alone.arrows, shot.arrows, &Arrow::shift);
   put(alone.lines, shot.lines, &Line::shift);
   put(alone.labels, shot.labels, &Label::position);
+}
+
+double reach_below(const BookSetup& setup) {
+  double reach = 1.0;
+  for (const Overlay overlay : setup.show) {
+    if (drawing(overlay).around) reach = std::max(reach, drawing(overlay).reach);
+  }
+  return reach * body_of(setup.options).reach;
 }
 
 std::vector<Sphere> overlay_reach(const BookSetup& setup, const BookTrack& track) {

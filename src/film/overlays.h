@@ -28,6 +28,9 @@ namespace bookspin {
 void add_book(Shot& shot, const BookSetup& setup, const BookTrack& track, int frame, int fps, bool gone,
               const Eigen::Vector2d& shift);
 
+// How far below its center the book and what is drawn around it reach.
+[[nodiscard]] double reach_below(const BookSetup& setup);
+
 struct Sphere {
   Eigen::Vector3d center_W;
   double radius;

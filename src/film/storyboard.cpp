@@ -18,7 +18,7 @@ namespace {
 
 constexpr double middle_band = 0.88;  // of the height: above it stands the title, below it the figures
 constexpr double lowest_line = 0.98;  // base line of the figures, frame heights; a smaller band heeds it
-constexpr double name_offset = 1.16;  // of a name below its book, in lengths of its half diagonal
+constexpr double name_offset = 0.16;  // of a name below its book's lowest, in lengths of its half diagonal
 constexpr double left_edge = 0.03;    // of the title and what stands below it, in frame widths
 constexpr double title_y = 0.07;      // base line; this and all below in frame heights
 constexpr double title_height = 0.04;
@@ -31,7 +31,7 @@ constexpr double name_gap = 0.06;  // between texts below two books in a row, in
 // Below the book in the picture: along the camera's down, not the world's.
 Eigen::Vector3d name_anchor_W(const Scene& scene, const BookSetup& setup) {
   const Eigen::Vector3d up_W = camera_axes(scene.view.from).row(1).transpose();
-  return -up_W * (name_offset * body_of(setup.options).reach);
+  return -up_W * (reach_below(setup) + name_offset * body_of(setup.options).reach);
 }
 
 // "E/E₀ 1.003"

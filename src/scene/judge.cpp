@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 
 namespace bookspin {
 namespace {
@@ -23,6 +24,17 @@ std::vector<Bound> bounds_of(const Expectation& e) {
   return bounds;
 }
 
+// To four digits, or as many as show on which side of the bound it lies.
+std::string found_text(double found, double bound) {
+  std::string text;
+  for (int digits = 4; digits <= 17; ++digits) {
+    text = fmt::format("{:.{}g}", found, digits);
+    const double shown = std::strtod(text.c_str(), nullptr);
+    if ((shown < bound) == (found < bound) && (shown > bound) == (found > bound)) break;
+  }
+  return text;
+}
+
 Verdict judge_bound(const Expectation& e, const Bound& bound, const std::vector<BookFrame>& frames) {
   const int end = static_cast<int>(frames.size());
   const int last = e.last_frame.value_or(end - 1);
@@ -33,7 +45,7 @@ Verdict judge_bound(const Expectation& e, const Bound& bound, const std::vector<
       e.first_frame == last ? fmt::format("in frame {}", last) : fmt::format("in frames {} to {}", e.first_frame, last);
   const Quantity& q = quantity(e.quantity);
   const std::string wanted =
-      fmt::format("{} {} {:g}{}{}", q.name, bound.words, bound.value, q.unit.empty() ? "" : " ", q.unit);
+      fmt::format("{} {} {}{}{}", q.name, bound.words, bound.value, q.unit.empty() ? "" : " ", q.unit);
   if (e.first_frame >= end || last >= end) {
     verdict.found = std::nan("");
     verdict.frame = end - 1;
@@ -56,7 +68,7 @@ Verdict judge_bound(const Expectation& e, const Bound& bound, const std::vector<
     }
   }
   verdict.met = bound.from_below ? verdict.found >= bound.value : verdict.found <= bound.value;
-  verdict.text = fmt::format("{} {}: found {:.4g}{}", wanted, range, verdict.found,
+  verdict.text = fmt::format("{} {}: found {}{}", wanted, range, found_text(verdict.found, bound.value),
                              e.first_frame == last ? "" : fmt::format(" in frame {}", verdict.frame));
   return verdict;
 }

@@ -104,6 +104,8 @@ const Case cases[] = {
      .text = "tilt at most 3 degrees in frame 2: the film ends at frame 1"},
     {.name = "RangeBeyondTheEnd", .tilts = {1, 1}, .at_most = 3.0, .last_frame = 2,
      .text = "tilt at most 3 degrees in frames 0 to 2: the film ends at frame 1"},
+    {.name = "FoundIsSaidToAsManyDigitsAsTellItsSide", .tilts = {56.42547}, .at_most = 56.426, .first_frame = 0, .last_frame = 0, .met = true,
+     .text = "tilt at most 56.426 degrees in frame 0: found 56.425"},
     {.name = "InfinityRises", .tilts = {1, inf}, .rises_to = 8.0, .met = true,
      .text = "tilt rises to 8 degrees in frames 0 to 1: found inf in frame 1"},
 };
