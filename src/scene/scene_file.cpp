@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -140,7 +141,8 @@ void read_start(TableReader& reader, BookSetup& book) {
           "at the start, as a quaternion of any length above 0; without it the book's x, y, z are the world's")) {
     book.q_WB0 = Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
     if (book.q_WB0->norm() == 0.0) reader.fail("orientation", "not all of them 0");
-    normalize(*book.q_WB0);
+    // One of length 1 stays as it is: a script that was written from a scene gives that scene.
+    if (std::abs(book.q_WB0->squaredNorm() - 1.0) > 1e-15) normalize(*book.q_WB0);
   }
 }
 

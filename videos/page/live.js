@@ -26,7 +26,9 @@ function scriptOf(scene, from) {
     if (book.name) lines.push(`name = ${text(book.name)}`);
     lines.push(`method = "${book.method}"`);
     if (book.method !== "exact") lines.push(`integrator = "${book.integrator}"`);
-    lines.push(`size = ${list(book.size)}`, `angular_velocity = ${list(book.angular_velocity)}`, `jiggle = ${book.jiggle}`);
+    lines.push(book.moments.some((x) => x !== 0) ? `moments = ${list(book.moments)}` : `size = ${list(book.size)}`);
+    if (book.orientation) lines.push(`orientation = ${list(book.orientation)}`);
+    lines.push(`angular_velocity = ${list(book.angular_velocity)}`, `jiggle = ${book.jiggle}`);
     lines.push(book.normalize_every === 0 ? "normalize = false" : `normalize_every = ${book.normalize_every}`);
     lines.push(`damping = ${book.damping}`, `stiffness = ${book.stiffness}`, `particle_mass = ${book.particle_mass}`);
     if (book.position.some((x) => x !== 0)) lines.push(`position = ${list(book.position)}`);
@@ -551,6 +553,7 @@ async function openPanel(root) {
     return pen.getImageData(0, 0, picture.width, picture.height);
   }));
   root.hidden = false;
+  for (const link of document.querySelectorAll(".to-live")) link.hidden = false;
   root.panel = new Panel(root, engine, new Painter(root.querySelector(".live-stage canvas"), engine, liveData.shaders, pictures));
 }
 openPanel(document.getElementById("live")).catch((error) => {
