@@ -261,6 +261,32 @@ await check("hostile addresses are harmless", async () => {
   }
 });
 
+await check("memory stays as it is through 23 motions, nearly eight minutes if watched", async () => {
+  const page = await open();
+  const cdp = await page.context().newCDPSession(page);
+  const after = async (motions) => {
+    const wasm = await page.evaluate((count) => {
+      const { panel } = document.getElementById("live");
+      for (let i = 0; i < count; ++i) {
+        panel.set("stiffness", 10 + (i % 2));
+        while (!panel.complete) panel.compute();
+        for (let frame = 0; frame < panel.end; frame += 100) {
+          panel.place = frame;
+          panel.draw();
+          panel.drawCurves(0);
+        }
+      }
+      return panel.engine.track(0).buffer.byteLength;
+    }, motions);
+    await cdp.send("HeapProfiler.collectGarbage");
+    return { wasm, page: (await cdp.send("Runtime.getHeapUsage")).usedSize };
+  };
+  const [once, often] = [await after(3), await after(20)];
+  expect(often.wasm === once.wasm, `${often.wasm} bytes of the module's, were ${once.wasm}`);
+  expect(often.page < 1.1 * once.page, `${often.page} bytes of the page's, were ${once.page}`);  // measured: 1.02
+  await close(page);
+});
+
 await check("it plays in sight, rests out of sight, and is paused for those who want less motion", async () => {
   const calm = await open();
   await is(calm, "panel.playing", false);
