@@ -1,7 +1,7 @@
 // Faults of the outside world, one at a time: a system call that fails or is cut short, or a process that is killed
 // at it.
 //
-// lseek is left alone: of a regular file it cannot fail.
+// lseek is left alone: of a regular file it cannot fail. So are pipes, which are no files.
 //
 // For a process forked from a test: after arm() its calls that touch files go through a handler (seccomp's SIGSYS), also
 // those that libraries and the C library make themselves. Only on Linux for x86-64 and arm64: elsewhere
@@ -32,7 +32,7 @@ struct Experiment {
 
 struct Outcome {
   bool killed = false;  // by SIGKILL
-  int exit_code = -1;   // 0: the work is done; 1: it threw; -1: another signal
+  int exit_code = -1;   // 0: the work is done; 1: it threw; -1: another end
   std::string message;  // what it threw
   int calls = 0;        // that it made
 };
