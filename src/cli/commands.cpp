@@ -175,6 +175,10 @@ int render_scenes(const Options& options) {
         throw WrongCall(fmt::format("{} and {} would make the same film", other, script));
       }
     }
+    if (Interrupts::last_signal() != 0) {
+      not_made.push_back(fs::path(script).filename().string());
+      continue;
+    }
     const std::optional<bool> is_due = try_load([&] {
       Film film = load_film(script, settings);
       if (options.update && is_up_to_date(film, products(film, folder))) return false;

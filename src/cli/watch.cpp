@@ -19,11 +19,22 @@ namespace {
 constexpr std::array stop_signals{SIGINT, SIGTERM, SIGHUP};
 constexpr int last_straw = 3;     // some senders signal twice: process and group
 constexpr int wake_up = SIGUSR2;  // ends the listener's wait
+constexpr int nudge = SIGUSR1;    // ends the command's wait for a pipe
+
+void do_nothing(int) {}
+
+// Without SA_RESTART: a read, a write or an open that waits for somebody else, maybe for ever, fails with EINTR.
+void handle(int number, void (*handler)(int), struct sigaction* before = nullptr) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  sigaction(number, &action, before);
+}
 
 // Waits for signals in a thread of its own: they are blocked in all others, those that the command starts included.
 class Listener {
  public:
   Listener() {
+    handle(nudge, do_nothing, &nudge_before_);
     sigemptyset(&signals_);
     sigaddset(&signals_, wake_up);
     for (const int number : stop_signals) {
@@ -38,6 +49,7 @@ class Listener {
     pthread_kill(thread_.native_handle(), wake_up);
     thread_.join();
     pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    sigaction(nudge, &nudge_before_, nullptr);
   }
   Listener(const Listener&) = delete;
   Listener& operator=(const Listener&) = delete;
@@ -47,16 +59,25 @@ class Listener {
 
  private:
   void listen() {
-    int number = 0;
-    for (int count = 1; sigwait(&signals_, &number) == 0 && number != wake_up; ++count) {
+    constexpr timespec a_while{0, 100'000'000};
+    for (int count = 0;;) {
+      const int number =
+          last_signal_ == 0 ? sigwaitinfo(&signals_, nullptr) : sigtimedwait(&signals_, nullptr, &a_while);
+      if (number == wake_up) return;
+      if (number < 0) {
+        if (last_signal_ != 0) pthread_kill(command_, nudge);
+        continue;
+      }
       last_signal_ = number;
       source_.request_stop();
-      if (count < last_straw) continue;
+      if (++count < last_straw) continue;
       pthread_sigmask(SIG_UNBLOCK, &signals_, nullptr);
       std::raise(number);
     }
   }
 
+  const pthread_t command_ = pthread_self();
+  struct sigaction nudge_before_ {};
   sigset_t signals_{};
   sigset_t before_{};
   std::atomic<int> last_signal_ = 0;
@@ -67,9 +88,15 @@ class Listener {
 volatile std::sig_atomic_t interrupts = 0;  // a handler reaches nothing else
 volatile std::sig_atomic_t last_interrupt = 0;
 
+// Again, each second: a signal may come just before the command begins to wait for a pipe.
+void nudge_again(int) {
+  alarm(1);
+}
+
 void count_interrupt(int number) {
   last_interrupt = number;
   interrupts = interrupts + 1;
+  alarm(1);
   if (interrupts < last_straw) return;
   std::signal(number, SIG_DFL);
   std::raise(number);
@@ -80,7 +107,8 @@ void count_interrupt(int number) {
 int stoppable(const std::function<int(const std::stop_token&)>& command) {
   const Listener listener;
   try {
-    return command(listener.token());
+    const int exit_code = command(listener.token());
+    return exit_code == 0 || listener.last_signal() == 0 ? exit_code : 128 + listener.last_signal();
   } catch (const std::exception& error) {
     if (listener.last_signal() == 0) throw;
     std::fprintf(stderr, "bookspin: %s\n", error.what());
@@ -91,19 +119,20 @@ int stoppable(const std::function<int(const std::stop_token&)>& command) {
 Interrupts::Interrupts() {
   interrupts = 0;
   last_interrupt = 0;
-  struct sigaction action {};
-  action.sa_handler = count_interrupt;
-  action.sa_flags = SA_RESTART;  // a script may come through a pipe
   for (const int number : stop_signals) {
     struct sigaction now {};
     sigaction(number, nullptr, &now);
     if (now.sa_handler == SIG_IGN) continue;
     before_.emplace_back(number, now);
-    sigaction(number, &action, nullptr);
+    handle(number, count_interrupt);
   }
+  struct sigaction alarm_before {};
+  handle(SIGALRM, nudge_again, &alarm_before);
+  before_.emplace_back(SIGALRM, alarm_before);
 }
 
 Interrupts::~Interrupts() {
+  alarm(0);
   for (const auto& [number, action] : before_) sigaction(number, &action, nullptr);
 }
 

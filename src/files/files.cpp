@@ -1,11 +1,16 @@
 #include "files/files.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
+
+#include "files/descriptor.h"
 
 namespace bookspin {
 namespace fs = std::filesystem;
@@ -25,18 +30,16 @@ std::string read_file(const fs::path& file) {
 std::string read_file_or_pipe(const fs::path& file) {
   constexpr std::size_t most = std::size_t{256} << 20U;
   constexpr std::size_t at_once = 65536;
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw_file_error(file, "cannot be read");
-  if (fs::is_directory(file)) throw_file_error(file, "cannot be read", "is a folder");
+  const Descriptor in(open(file.c_str(), O_RDONLY | O_CLOEXEC));
   std::string text;
-  while (in && text.size() <= most) {
+  ssize_t count = in.number < 0 ? -1 : 1;
+  while (count > 0 && text.size() <= most) {
     const std::size_t so_far = text.size();
     text.resize(so_far + at_once);
-    errno = 0;
-    in.read(text.data() + so_far, at_once);
-    text.resize(so_far + static_cast<std::size_t>(in.gcount()));
+    count = read(in.number, text.data() + so_far, at_once);
+    text.resize(so_far + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
   }
-  if (in.bad() || (!in.eof() && errno != 0)) throw_file_error(file, "cannot be read");
+  if (count < 0) throw_file_error(file, "cannot be read", errno == EISDIR ? "is a folder" : "");
   if (text.size() > most) throw_file_error(file, "cannot be read", "is larger than 256 MiB");
   return text;
 }

@@ -22,7 +22,7 @@ namespace bookspin {
 // A regular file, of at most 256 MiB: nothing that bookspin reads whole is larger.
 [[nodiscard]] std::string read_file(const std::filesystem::path& file);
 
-// The same; of a FIFO or a device what it says until it ends.
+// The same; of a FIFO or a device what it says until it ends. A signal that is handled ends the wait for it.
 [[nodiscard]] std::string read_file_or_pipe(const std::filesystem::path& file);
 
 // All that a part will hold; not yet published. What is too long to hold is streamed.

@@ -15,19 +15,13 @@
 #include <utility>
 
 #include "files/checksums.h"
+#include "files/descriptor.h"
 #include "files/files.h"
 
 namespace bookspin {
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Descriptor {
-  int number;
-  ~Descriptor() {
-    if (number >= 0) close(number);
-  }
-};
 
 fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : ".";
@@ -154,7 +148,7 @@ void settle(const fs::path& folder) {
   }
   for (const fs::path& file : others) {
     // What somebody writes is locked, in whatever process or container the writer lives.
-    const Descriptor part{open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)};
+    const Descriptor part(open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
     if (part.number >= 0 && flock(part.number, LOCK_EX | LOCK_NB) == 0) unlink(file.c_str());
   }
 }

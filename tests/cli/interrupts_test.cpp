@@ -21,13 +21,14 @@ namespace {
 namespace fs = std::filesystem;
 using testing::ContainsRegex;
 
-// Starts the program without a shell, which would have it ignore SIGINT; `error` is its standard error.
-pid_t start(const fs::path& folder, std::vector<const char*> arguments, const char* error = "/dev/null") {
+// Starts the program without a shell, which would have it ignore SIGINT; `error` and `output` are its standard streams.
+pid_t start(const fs::path& folder, std::vector<const char*> arguments, const char* error = "/dev/null",
+            const char* output = "/dev/null") {
   std::fflush(stdout);  // once, not by the child too
   const pid_t child = fork();
   if (child != 0) return child;
   fs::current_path(folder);
-  std::freopen("/dev/null", "w", stdout);
+  std::freopen(output, "w", stdout);
   std::freopen(error, "w", stderr);
   arguments.insert(arguments.begin(), "bookspin");
   arguments.push_back(nullptr);
@@ -95,6 +96,28 @@ TEST_F(Interrupts, CheckAndTrajectoryCanBeStopped) {
     EXPECT_EQ(exit_code_of(child), 128 + SIGTERM) << command;
     fs::remove(scratch / "script");
   }
+}
+
+// A script that nobody writes, an output that nobody reads.
+TEST_F(Interrupts, WhoWaitsForAPipeCanBeStopped) {
+  const std::string pipe = (scratch / "pipe").string();
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const auto& [command, signal] : {std::pair("check", SIGTERM), std::pair("render", SIGINT)}) {
+    const pid_t child = start(scratch.folder(), {command, "pipe"});
+    int writer = -1;
+    while (writer < 0) writer = open(pipe.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);  // not before the child reads
+    kill(child, signal);
+    EXPECT_EQ(exit_code_of(child), 128 + signal) << command;
+    close(writer);
+  }
+  const int reader = open(pipe.c_str(), O_RDWR | O_CLOEXEC);
+  const pid_t child =
+      start(scratch.folder(), {"trajectory", "mine.toml", "--set", "clip.frames=5000"}, "/dev/null", pipe.c_str());
+  char first = 0;
+  EXPECT_EQ(read(reader, &first, 1), 1);
+  kill(child, SIGHUP);
+  EXPECT_EQ(exit_code_of(child), 128 + SIGHUP);
+  close(reader);
 }
 
 // The terminal goes away; whoever ignores the hangup, as nohup does, has the film made to its end.
