@@ -112,6 +112,9 @@ void read_shape(TableReader& reader, const BookSetup& book, BookOptions& o) {
                   "principal moments of inertia about x, y, z, in place of `size`: a book that has them is drawn")) {
     refuse_both(reader, "size", key = "moments");
     o.moments /= o.particle_mass;
+    if (!o.moments.allFinite() || o.moments.minCoeff() < 1e-300) {
+      reader.fail("moments", "three that are from 1e-300 to 1e+308 when divided by particle_mass");
+    }
     const std::optional<Eigen::Vector3d> size = size_of(o.moments);
     if (!size) reader.fail("moments", "those of a body: none is greater than the sum of the other two");
     o.size = *size;

@@ -157,6 +157,12 @@ const BadScript bad_scripts[] = {
     {"moments_of_no_body", "title = \"T\"\n[[book]]\nmoments = [3, 5, 9]\n",
      "s.toml:3:11: book.0.moments: found [3, 5, 9]; allowed: those of a body: none is greater than the sum of the "
      "other two"},
+    {"moment_too_small", "title = \"T\"\n[[book]]\nmoments = [1, 1, 1e-320]\n",
+     "s.toml:3:11: book.0.moments: found [1, 1, 1e-320]; allowed: three that are from 1e-300 to 1e+308 when divided by "
+     "particle_mass"},
+    {"moment_of_no_mass", "title = \"T\"\n[[book]]\nmoments = [1, 2, 3]\nparticle_mass = 1e-320\n",
+     "s.toml:3:11: book.0.moments: found [1, 2, 3]; allowed: three that are from 1e-300 to 1e+308 when divided by "
+     "particle_mass"},
     {"moment_zero", "title = \"T\"\n[[book]]\nmoments = [1, 0, 1]\n",
      "s.toml:3:11: book.0.moments: found [1, 0, 1]; allowed: a list of three numbers [I1, I2, I3], each a number more "
      "than 0, up to 1e+12"},
