@@ -22,11 +22,15 @@ namespace fs = std::filesystem;
 using testing::ContainsRegex;
 
 // Starts the program without a shell, which would have it ignore SIGINT; `error` and `output` are its standard streams.
+// Whoever runs the tests may have them ignore signals: in the background of a script, or by nohup.
 pid_t start(const fs::path& folder, std::vector<const char*> arguments, const char* error = "/dev/null",
-            const char* output = "/dev/null") {
+            const char* output = "/dev/null", void (*on_hangup)(int) = SIG_DFL) {
   std::fflush(stdout);  // once, not by the child too
   const pid_t child = fork();
   if (child != 0) return child;
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+  std::signal(SIGHUP, on_hangup);
   fs::current_path(folder);
   std::freopen(output, "w", stdout);
   std::freopen(error, "w", stderr);
@@ -125,15 +129,13 @@ TEST_F(Interrupts, AProgressLineThatCannotBeWrittenIsDropped) {
   const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
   ASSERT_GE(terminal, 0);
   ASSERT_EQ(grantpt(terminal) + unlockpt(terminal), 0);
-  auto* const before = std::signal(SIGHUP, SIG_IGN);
   const pid_t child =
       start(scratch.folder(), {"render", "mine.toml", "-o", "films", "--size", "64x36", "--set", "clip.frames=300"},
-            ptsname(terminal));
+            ptsname(terminal), "/dev/null", SIG_IGN);
   wait_for_a_file_in(scratch / "films", child);
   close(terminal);
   EXPECT_EQ(exit_code_of(child), 0);
   EXPECT_EQ(read_mp4_info(scratch / "films/mine.mp4").frames, 300);
-  std::signal(SIGHUP, before);
 }
 
 }  // namespace
