@@ -44,6 +44,12 @@ std::string read_file_or_pipe(const fs::path& file) {
   return text;
 }
 
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw_file_error(folder, "cannot be made", error.message());
+}
+
 void write_part(const Part& part, std::string_view text) {
   write_part(part, [text](std::ostream& out) { out << text; });
 }

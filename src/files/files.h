@@ -25,6 +25,9 @@ namespace bookspin {
 // The same; of a FIFO or a device what it says until it ends. A signal that is handled ends the wait for it.
 [[nodiscard]] std::string read_file_or_pipe(const std::filesystem::path& file);
 
+// Those above it too; it may be there.
+void make_folder(const std::filesystem::path& folder);
+
 // All that a part will hold; not yet published. What is too long to hold is streamed.
 void write_part(const Part& part, std::string_view text);
 void write_part(const Part& part, const std::function<void(std::ostream&)>& write);

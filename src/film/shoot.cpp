@@ -14,6 +14,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "files/files.h"
 #include "files/part.h"
 #include "film/film_data.h"
 #include "film/process.h"
@@ -36,7 +37,7 @@ Products prepare(const Film& film, const fs::path& folder) {
                                               product.string(), film.file.stem().string()));
     }
   }
-  fs::create_directories(folder);
+  make_folder(folder);
   return names;
 }
 

@@ -89,7 +89,7 @@ Draft::Judged Draft::judge(const std::vector<std::string>& trial) {
 
 void make_report(const ReportOrder& order, const Tell& tell) {
   require_gnuplot();  // now, not after minutes of measuring
-  std::filesystem::create_directories(order.folder);
+  make_folder(order.folder);
   for (const char* name : {"report.json", "index.html"})
     const Part can_be_written(order.folder / name, NamedBy::program);
   std::string at;

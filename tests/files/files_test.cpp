@@ -61,6 +61,9 @@ TEST(Files, FailuresNameFileOperationAndReason) {
             scratch.folder().string() + ": cannot be read: is a folder");
   EXPECT_EQ(failure([&] { const Part part(scratch / "no/folder"); }),
             (scratch / "no/folder").string() + ": cannot be opened for writing: No such file or directory");
+  write_text(scratch / "file", "");
+  EXPECT_EQ(failure([&] { make_folder(scratch / "file/folder"); }),
+            (scratch / "file/folder").string() + ": cannot be made: Not a directory");
   EXPECT_EQ(failure([&] { const Part part(scratch.folder()); }),
             scratch.folder().string() + ": cannot be replaced: is a folder");
 }
