@@ -51,26 +51,35 @@ FrameBuffer::FrameBuffer(const GladGLContext& gl, int width, int height)
   gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
 }
 
-void FrameBuffer::begin(const Rect& area, const Color& background, bool with_depth) {
+void FrameBuffer::begin(const std::vector<Rect>& areas, const Color& background, bool with_depth) {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, samples_.id());
   if (with_depth && sample_depth_.id() == 0) {
     sample_depth_ = storage(*gl_, samples, GL_DEPTH_COMPONENT24, width_, height_);
     gl_->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, sample_depth_.id());
     check_complete(*gl_, "multisample");
   }
-  gl_->Scissor(area.x, area.y, area.width, area.height);
   const std::array<float, 4> color = gl_color(background);
   gl_->ClearColor(color[0], color[1], color[2], 1);
-  gl_->Clear(with_depth ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT);
+  Rect all;
+  for (const Rect& area : areas) {
+    gl_->Scissor(area.x, area.y, area.width, area.height);
+    gl_->Clear(with_depth ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT);
+    all = union_of(all, area);
+  }
+  gl_->Scissor(all.x, all.y, all.width, all.height);
 }
 
-void FrameBuffer::read(const Rect& area, Image& image) {
+void FrameBuffer::read(const std::vector<Rect>& areas, Image& image) {
   gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, pixels_.id());
-  const int x1 = area.x + area.width, y1 = area.y + area.height;
-  gl_->BlitFramebuffer(area.x, area.y, x1, y1, area.x, area.y, x1, y1, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  for (const Rect& area : areas) {
+    const int x1 = area.x + area.width, y1 = area.y + area.height;
+    gl_->BlitFramebuffer(area.x, area.y, x1, y1, area.x, area.y, x1, y1, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, pixels_.id());
   gl_->PixelStorei(GL_PACK_ROW_LENGTH, image.width);
-  gl_->ReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixel(area.x, area.y));
+  for (const Rect& area : areas) {
+    gl_->ReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixel(area.x, area.y));
+  }
 }
 
 }  // namespace bookspin

@@ -3,6 +3,8 @@
 // The first row is the picture's top row. Throws std::runtime_error when OpenGL has no such frame buffer.
 #pragma once
 
+#include <vector>
+
 #include "image/image.h"
 #include "render/handles.h"
 #include "render/shot.h"
@@ -13,10 +15,10 @@ class FrameBuffer {
  public:
   FrameBuffer(const GladGLContext& gl, int width, int height);
 
-  // All drawing until read() stays within area, which is cleared.
-  void begin(const Rect& area, const Color& background, bool with_depth);
-  // The samples averaged, copied to the same place in image.
-  void read(const Rect& area, Image& image);
+  // Until read() all drawing is to stay within the areas, which are cleared.
+  void begin(const std::vector<Rect>& areas, const Color& background, bool with_depth);
+  // The samples averaged, copied to the same places in image.
+  void read(const std::vector<Rect>& areas, Image& image);
 
  private:
   const GladGLContext* gl_;

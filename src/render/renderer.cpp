@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/area.h"
 #include "render/arrows_and_lines.h"
 #include "render/bend.h"
 #include "render/books.h"
@@ -20,36 +21,15 @@
 namespace bookspin {
 namespace {
 
-constexpr int tile = 16;         // pixels: the software renderer works in tiles, and a part of one costs all of it
 constexpr double margin_px = 2;  // what rounding in single precision may move, and a pixel's samples reach
 
 // Which pixels each item of a shot may touch; empty for an item that is not drawn.
 struct Footprint {
   std::vector<Rect> books, arrows, lines;
+  std::vector<std::vector<Eigen::Vector2d>> outlines;  // of the books: points whose hull it is, or none
   std::vector<TextLayout> labels;
   bool needs_depth = false;  // something may hide something else
 };
-
-Rect aligned(const Rect& rect, const Rect& frame) {
-  if (rect.empty()) return {};
-  const auto down = [](int x) { return x / tile * tile; };
-  const auto up = [](int x) { return (x + tile - 1) / tile * tile; };
-  const int x = down(rect.x), y = down(rect.y);
-  return intersection({x, y, up(rect.x + rect.width) - x, up(rect.y + rect.height) - y}, frame);
-}
-
-// What must be drawn again: where an item was, or is, that is not the same as before.
-template <typename Item>
-Rect difference(const std::vector<Item>& old_items, const std::vector<Rect>& old_rects, const std::vector<Item>& items,
-                const std::vector<Rect>& rects) {
-  Rect area;
-  for (std::size_t i = 0; i < std::max(old_items.size(), items.size()); ++i) {
-    if (i < old_items.size() && i < items.size() && old_items[i] == items[i]) continue;
-    if (i < old_items.size()) area = union_of(area, old_rects[i]);
-    if (i < items.size()) area = union_of(area, rects[i]);
-  }
-  return area;
-}
 
 void copy(const Image& from, const Rect& area, Image& to) {
   for (int y = area.y; y < area.y + area.height; ++y) {
@@ -70,7 +50,7 @@ struct Renderer::Parts {
   Image picture;  // with them
   std::optional<Shot> shot;
   Footprint footprint;
-  Rect changed;
+  std::vector<Rect> changed;
 
   Parts(int width, int height, const std::filesystem::path& assets, ContextKind kind)
       : context(kind),
@@ -91,7 +71,7 @@ struct Renderer::Parts {
   Parts& operator=(const Parts&) = delete;
 
   Footprint find_footprint(const Shot& next, const View& view);
-  void draw_scene(const Shot& next, const Footprint& next_footprint, const View& view, const Rect& area);
+  void draw_scene(const Shot& next, const Footprint& next_footprint, const View& view, const std::vector<Rect>& areas);
   void compose(const Footprint& next_footprint, const Rect& area);
   void draw(const Shot& next);
 };
@@ -106,6 +86,12 @@ Footprint Renderer::Parts::find_footprint(const Shot& next, const View& view) {
     std::array<Eigen::Vector3d, 8> corners;
     for (int i = 0; i < 8; ++i) corners[static_cast<std::size_t>(i)] = book.corners_W.col(i);
     result.books.push_back(bounds(corners, book.shift, margin_px));
+    std::vector<Eigen::Vector2d>& outline = result.outlines.emplace_back();
+    for (const Eigen::Vector3d& corner : corners) {
+      const PixelPoint p = view.shifted(book.shift).project(corner);
+      if (p.depth > view.near()) outline.emplace_back(p.x, p.y);
+    }
+    if (outline.size() < corners.size() || result.books.back().empty()) outline.clear();
   }
   for (const Arrow& arrow : next.arrows) result.arrows.push_back(bounds(arrow_hull(arrow), arrow.shift, margin_px));
   for (const Line& line : next.lines) {
@@ -124,9 +110,11 @@ Footprint Renderer::Parts::find_footprint(const Shot& next, const View& view) {
 }
 
 void Renderer::Parts::draw_scene(const Shot& next, const Footprint& next_footprint, const View& view,
-                                 const Rect& area) {
-  const auto touched = [&](const Rect& rect) { return !intersection(rect, area).empty(); };
-  frame_buffer.begin(area, next.background, next_footprint.needs_depth);
+                                 const std::vector<Rect>& areas) {
+  const auto touched = [&](const Rect& rect) {
+    return std::ranges::any_of(areas, [&](const Rect& area) { return !intersection(rect, area).empty(); });
+  };
+  frame_buffer.begin(areas, next.background, next_footprint.needs_depth);
   for (std::size_t i = 0; i < next.books.size(); ++i) {
     const bool solid = next.books[i].style == BookStyle::solid;
     if (solid && touched(next_footprint.books[i]))
@@ -145,13 +133,13 @@ void Renderer::Parts::draw_scene(const Shot& next, const Footprint& next_footpri
     if (ghost && touched(next_footprint.books[i]))
       books.draw_ghost(view.shifted(next.books[i].shift), next.books[i].corners_W);
   }
-  frame_buffer.read(area, scene);
+  frame_buffer.read(areas, scene);
 }
 
 void Renderer::Parts::compose(const Footprint& next_footprint, const Rect& area) {
   copy(scene, area, picture);
   for (const TextLayout& label : next_footprint.labels) TextPainter::draw(label, area, picture);
-  changed = union_of(changed, area);
+  if (!area.empty()) changed.push_back(area);
 }
 
 void Renderer::Parts::draw(const Shot& next) {
@@ -163,17 +151,30 @@ void Renderer::Parts::draw(const Shot& next) {
   const bool first = !shot || shot->camera != next.camera || shot->background != next.background ||
                      footprint.needs_depth != next_footprint.needs_depth;
 
-  Rect area = scene.bounds();
-  if (!first) {
-    area = union_of(difference(shot->books, footprint.books, next.books, next_footprint.books),
-                    union_of(difference(shot->arrows, footprint.arrows, next.arrows, next_footprint.arrows),
-                             difference(shot->lines, footprint.lines, next.lines, next_footprint.lines)));
-    area = aligned(area, scene.bounds());
+  Area area(scene.bounds());
+  if (first) {
+    area.add(scene.bounds());
+  } else {
+    // Where an item was, or is, that is not the same as before.
+    const auto add_changes = [&](const auto& old_items, const auto& items, auto&& add) {
+      for (std::size_t i = 0; i < std::max(old_items.size(), items.size()); ++i) {
+        if (i < old_items.size() && i < items.size() && old_items[i] == items[i]) continue;
+        if (i < old_items.size()) add(footprint, i);
+        if (i < items.size()) add(next_footprint, i);
+      }
+    };
+    add_changes(shot->books, next.books, [&](const Footprint& f, std::size_t i) {
+      if (f.outlines[i].empty()) area.add(f.books[i]);
+      area.add(f.outlines[i], margin_px);
+    });
+    add_changes(shot->arrows, next.arrows, [&](const Footprint& f, std::size_t i) { area.add(f.arrows[i]); });
+    add_changes(shot->lines, next.lines, [&](const Footprint& f, std::size_t i) { area.add(f.lines[i]); });
   }
-  if (!area.empty()) {
+  const std::vector<Rect> areas = area.rects();
+  if (!areas.empty()) {
     context.make_current();
-    draw_scene(next, next_footprint, view, area);
-    compose(next_footprint, area);
+    draw_scene(next, next_footprint, view, areas);
+    for (const Rect& rect : areas) compose(next_footprint, rect);
   }
   if (!first) {
     for (std::size_t i = 0; i < std::max(shot->labels.size(), next.labels.size()); ++i) {
@@ -198,7 +199,7 @@ const Image& Renderer::draw(const Shot& shot) {
   return parts_->picture;
 }
 
-Rect Renderer::changed() const {
+const std::vector<Rect>& Renderer::changed() const {
   return parts_->changed;
 }
 

@@ -26,7 +26,8 @@ class Renderer {
   Renderer& operator=(Renderer&&) = delete;
 
   const Image& draw(const Shot& shot);  // valid until the next draw
-  [[nodiscard]] Rect changed() const;   // holds every pixel in which the last two pictures differ; empty: none does
+  // These hold every pixel in which the last two pictures differ.
+  [[nodiscard]] const std::vector<Rect>& changed() const;
   [[nodiscard]] const std::string& description() const;  // the OpenGL that draws
 
  private:

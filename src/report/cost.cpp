@@ -39,7 +39,9 @@ FrameCost frame_cost(const Scene& scene, const FrameCostOrder& order) {
     double all = 0.0;
     for (int n = 0; n < frames; ++n) {
       const Image& picture = renderer.draw(storyboard.shot(first + n));
-      converting += least_ns(1, [&] { convert_to_i420(picture, renderer.changed(), planes); });
+      converting += least_ns(1, [&] {
+        for (const Rect& rect : renderer.changed()) convert_to_i420(picture, rect, planes);
+      });
       all += least_ns(1, [&] { film.write(picture, renderer.changed()); });
     }
     all += least_ns(1, [&] { film.finish(); });

@@ -88,9 +88,9 @@ struct FilmWriter::Film {
   int every;  // of the pictures given, one in so many is a frame
   Libav<AVFormatContext> muxer;
   Libav<AVCodecContext> encoder;
-  Libav<AVFrame> picture;  // the last frame written, in I420 or as indices of the palette
-  Palette palette;         // of a GIF
-  Rect changed;            // since the last frame
+  Libav<AVFrame> picture;     // the last frame written, in I420 or as indices of the palette
+  Palette palette;            // of a GIF
+  std::vector<Rect> changed;  // since the last frame
   Libav<AVPacket> packet;
   AVStream* stream = nullptr;  // owned by the muxer
   std::int64_t pictures = 0;
@@ -228,16 +228,17 @@ bool FilmWriter::needs_samples() const {
   return film_->format.pixels == AV_PIX_FMT_PAL8;
 }
 
-void FilmWriter::write(const Image& frame, Rect changed) {
+void FilmWriter::write(const Image& frame, const std::vector<Rect>& changed) {
   assert(film_ != nullptr);
   Film& film = *film_;
   if (frame.width != film.settings.width || frame.height != film.settings.height) {
     throw std::invalid_argument(film.file.string() + ": a frame of " + size_text(frame.width, frame.height) +
                                 " in a film of " + size_text(film.settings.width, film.settings.height));
   }
-  film.changed = film.pictures == 0 ? frame.bounds() : union_of(film.changed, intersection(changed, frame.bounds()));
+  if (film.pictures == 0) film.changed = {frame.bounds()};
+  for (const Rect& rect : changed) film.changed.push_back(intersection(rect, frame.bounds()));
   if (film.pictures++ % film.every != 0) return;
-  const Rect area = std::exchange(film.changed, {});
+  const std::vector<Rect> areas = std::exchange(film.changed, {});
   AVFrame* picture = film.picture.get();
   // Copies the picture, should the encoder still hold it.
   film.check(av_frame_make_writable(picture), "allocate a picture");
@@ -245,11 +246,11 @@ void FilmWriter::write(const Image& frame, Rect changed) {
     if (film.pictures == 1) film.palette.choose();
     const std::vector<std::uint32_t>& argb = film.palette.argb();
     std::copy(argb.begin(), argb.end(), reinterpret_cast<std::uint32_t*>(picture->data[1]));
-    film.palette.convert(frame, area, picture->data[0], picture->linesize[0]);
+    for (const Rect& area : areas) film.palette.convert(frame, area, picture->data[0], picture->linesize[0]);
   } else {
-    convert_to_i420(frame, area,
-                    {picture->data[0], picture->data[1], picture->data[2], picture->linesize[0], picture->linesize[1],
-                     picture->linesize[2]});
+    const I420Planes planes{picture->data[0],     picture->data[1],     picture->data[2],
+                            picture->linesize[0], picture->linesize[1], picture->linesize[2]};
+    for (const Rect& area : areas) convert_to_i420(frame, area, planes);
   }
   picture->pts = (film.pictures - 1) / film.every;
   film.encode(picture);

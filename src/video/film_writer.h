@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "files/part.h"
 #include "image/image.h"
@@ -41,7 +42,7 @@ class FilmWriter {
 
   // Appends a frame. `changed` covers every pixel that differs from the frame before, and may be empty; of the first
   // frame everything counts. Only that part is converted.
-  void write(const Image& frame, Rect changed);
+  void write(const Image& frame, const std::vector<Rect>& changed);
 
   // Completes the file; afterwards only destruction is allowed.
   void finish();

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -78,6 +79,12 @@ Image part(const Image& image, const Rect& rect) {
   return result;
 }
 
+int pixels_of(const std::vector<Rect>& rects) {
+  int pixels = 0;
+  for (const Rect& rect : rects) pixels += rect.width * rect.height;
+  return pixels;
+}
+
 // Four books in a row, all in one pose but the last, each with an arrow and a line.
 TEST(Renderer, BooksInARowLookAlikeWhenTheirPosesAre) {
   constexpr int width = 800;
@@ -144,10 +151,11 @@ TEST(Renderer, DrawsOnlyWhatChangedAndYetTheSameBytes) {
     const Image picture = incremental.draw(scene_at(frame));
     ASSERT_EQ(picture.rgba, draw(scene_at(frame)).rgba) << "frame " << frame;
 
-    const Rect changed = incremental.changed();
+    const std::vector<Rect>& changed = incremental.changed();
     for (int y = 0; y < picture.height; ++y) {
       for (int x = 0; x < picture.width; ++x) {
-        if (!intersection({x, y, 1, 1}, changed).empty()) continue;
+        const auto holds = [&](const Rect& rect) { return !intersection({x, y, 1, 1}, rect).empty(); };
+        if (std::ranges::any_of(changed, holds)) continue;
         ASSERT_TRUE(std::equal(picture.pixel(x, y), picture.pixel(x, y) + 4, previous.pixel(x, y)))
             << "frame " << frame << ", pixel " << x << ", " << y << " changed outside changed()";
       }
@@ -172,7 +180,7 @@ TEST(Renderer, ABookAloneNeedsNoDepthBuffer) {
 TEST(Renderer, EqualShotsChangeNothing) {
   Renderer renderer(480, 270, assets());
   renderer.draw(scene_at(5));
-  EXPECT_EQ(renderer.changed(), (Rect{0, 0, 480, 270}));
+  EXPECT_EQ(pixels_of(renderer.changed()), 480 * 270);
   renderer.draw(scene_at(5));
   EXPECT_TRUE(renderer.changed().empty());
 }
@@ -184,7 +192,7 @@ TEST(Renderer, ALabelThatChangesLeavesTheRestAlone) {
   shot.labels[0].text = "t = 9";
   renderer.draw(shot);
   EXPECT_FALSE(renderer.changed().empty());
-  EXPECT_LT(renderer.changed().width * renderer.changed().height, 480 * 270 / 50);  // measured 1/200
+  EXPECT_LT(pixels_of(renderer.changed()), 480 * 270 / 50);  // measured 1/200
 }
 
 TEST(Renderer, ThreadsDrawTheSameBytes) {

@@ -24,7 +24,7 @@ std::filesystem::path film(const std::filesystem::path& file, const MovingBox& s
   FilmWriter writer(part, {.width = scene.width, .height = scene.height, .fps = 60, .title = {}});
   for (int k = 0; k < frames; ++k) {
     const Image picture = scene.draw(k);
-    writer.write(picture, whole ? picture.bounds() : scene.changed(k));
+    writer.write(picture, {whole ? picture.bounds() : scene.changed(k)});
   }
   writer.finish();
   publish({&part});
@@ -112,7 +112,7 @@ TEST(FilmWriter, FileSaysWhatPlayersNeed) {
   const MovingBox scene{128, 72};
   Part part(file);
   FilmWriter writer(part, {.width = 128, .height = 72, .fps = 30, .title = "Bücher – a title"});
-  for (int k = 0; k < 100; ++k) writer.write(scene.draw(k), scene.changed(k));
+  for (int k = 0; k < 100; ++k) writer.write(scene.draw(k), {scene.changed(k)});
   writer.finish();
   publish({&part});
   const Mp4Info info = read_mp4_info(file);
@@ -143,7 +143,7 @@ TEST(FilmWriter, KeyFramesFallOnWholeSecondsDespiteCuts) {
   for (int k = 0; k < 50; ++k) {
     Image picture = scene.draw(k);
     if (k / 15 % 2 == 1) std::reverse(picture.rgba.begin(), picture.rgba.end());
-    writer.write(picture, picture.bounds());
+    writer.write(picture, {picture.bounds()});
   }
   writer.finish();
   publish({&part});
@@ -166,7 +166,7 @@ TEST(FilmWriter, FlatColorsComeBack) {
     const Image drawn = flat_picture(64, 48, r, g, b);
     Part part(folder / "film.mp4");
     FilmWriter writer(part, {.width = 64, .height = 48, .fps = 60, .title = {}});
-    for (int k = 0; k < 3; ++k) writer.write(drawn, k == 0 ? drawn.bounds() : Rect{});
+    for (int k = 0; k < 3; ++k) writer.write(drawn, {k == 0 ? drawn.bounds() : Rect{}});
     writer.finish();
     publish({&part});
     EXPECT_EQ(read_frames(folder / "film.mp4",
@@ -198,7 +198,7 @@ TEST(FilmWriter, ChangedRectangleMayReachOverTheEdge) {
   const MovingBox scene{64, 48};
   Part part(folder / "over.mp4");
   FilmWriter writer(part, {.width = 64, .height = 48, .fps = 60, .title = {}});
-  for (int k = 0; k < 5; ++k) writer.write(scene.draw(k), {-100, -7, 1000, 900});
+  for (int k = 0; k < 5; ++k) writer.write(scene.draw(k), {{-100, -7, 1000, 900}});
   writer.finish();
   publish({&part});
   EXPECT_EQ(bytes_of(folder / "over.mp4"), bytes_of(film(folder / "whole.mp4", scene, 5, true)));

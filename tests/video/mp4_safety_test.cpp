@@ -23,7 +23,7 @@ const MovingBox scene{128, 72};
 const FilmWriter::Settings settings{.width = 128, .height = 72, .fps = 60, .title = {}};
 
 void write_frames(FilmWriter& writer, int frames) {
-  for (int k = 0; k < frames; ++k) writer.write(scene.draw(k), scene.changed(k));
+  for (int k = 0; k < frames; ++k) writer.write(scene.draw(k), {scene.changed(k)});
 }
 
 void write_film(const std::filesystem::path& file, int frames) {
