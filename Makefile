@@ -29,7 +29,7 @@ report: program
 
 # What a frame costs, the rate of the whole job, peak memory; the exact solution against Boost.Math.
 bench: everything
-	build/stages_bench
+	build/stages_bench videos/fig05_unstable_x.toml build/bench.json
 	build/torque_free_bench
 
 # Accept the frames that the tests draw as the new goldens. Then look at them, and commit them alone, with the reason.
