@@ -79,6 +79,23 @@ TEST_F(Packages, NothingMissingNothingAsked) {
   EXPECT_FALSE(fs::exists(scratch / "asked"));
 }
 
+// A desktop has Mesa's drivers; OSMesa, which is the first that would do, comes none the less.
+TEST_F(Packages, OfTwoTheFirstIsInstalledThoughTheOtherIsThere) {
+  write_text(scratch / "apt-packages.txt", "first | here\ngone | here\n");
+  debian();
+  user(0);
+  EXPECT_EQ(install().exit_code, 0);
+  EXPECT_THAT(read_text(scratch / "asked"), HasSubstr("APT::Status-Fd=3 first\n"));
+}
+
+TEST_F(Packages, AUserWhoCannotInstallDoesWithTheOther) {
+  write_text(scratch / "apt-packages.txt", "first | here\n");
+  debian();
+  user(1000);
+  EXPECT_EQ(install().exit_code, 0);
+  EXPECT_FALSE(fs::exists(scratch / "asked"));
+}
+
 TEST_F(Packages, AUserInstallsBySudo) {
   debian();
   user(1000);
