@@ -222,6 +222,8 @@ std::vector<FilmOutcome> shoot_all(std::span<const Film> films, const fs::path& 
       at = running.erase(at);
     }
   }
+  // What a process that was killed has left.
+  if (std::ranges::any_of(outcomes, [](const FilmOutcome& outcome) { return !outcome.error.empty(); })) settle(folder);
   return outcomes;
 }
 

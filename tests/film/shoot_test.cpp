@@ -271,12 +271,14 @@ TEST_F(Shoot, AWorkerThatIsKilledCostsItsFilmOnly) {
   films.push_back(load_film(scratch / "other.toml", small()));
   bool killed = false;
   const auto kill_the_first = [&] {
-    for (const std::string& name : killed || !fs::exists(site) ? std::vector<std::string>{} : files_in(site)) {
+    if (killed || !fs::exists(site / "other.mp4")) return true;
+    for (const std::string& name : files_in(site)) {
+      if (!name.ends_with(".part")) continue;
       killed = kill(std::stoi(name.substr(std::string(".bookspin-").size())), SIGKILL) == 0;
     }
     return true;
   };
-  const std::vector<FilmOutcome> outcomes = shoot_all(films, site, project, 1, progress, kill_the_first);
+  const std::vector<FilmOutcome> outcomes = shoot_all(films, site, project, 2, progress, kill_the_first);
   EXPECT_FALSE(outcomes[0].receipt.has_value());
   EXPECT_THAT(outcomes[0].error, testing::HasSubstr("ended by signal 9"));
   ASSERT_TRUE(outcomes[1].receipt.has_value()) << outcomes[1].error;
