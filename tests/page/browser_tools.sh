@@ -1,6 +1,6 @@
 #!/bin/sh
 # What the page's test in a browser needs beyond the rest, fetched into FOLDER: browser_tools.sh FOLDER
-# Debian's node, Chromium and Firefox, a cleaner of HTML, and two packages of npm. Says what it fetches. When something cannot be
+# Debian's node, Chromium, Firefox and a display for it, a cleaner of HTML, and two packages of npm. Says what it fetches. When something cannot be
 # fetched the reason is printed and left in FOLDER/skipped, and that test is skipped; the exit code is 0 all the same.
 set -u
 project=$(cd "$(dirname "$0")/../.." && pwd)
@@ -30,7 +30,7 @@ if [ ! -d node_modules/playwright-core ] || [ ! -d node_modules/axe-core ]; then
     skip "npm could not fetch playwright-core and axe-core: $(grep -m 1 -i error npm.log || echo no answer in two minutes)"
 fi
 need chromium chromium
-command -v firefox-esr >/dev/null || { echo firefox-esr >packages.txt && "$project/install-packages" "$PWD/packages.txt"; } ||
+{ command -v firefox-esr && command -v Xvfb; } >/dev/null || { printf 'firefox-esr\nxvfb\n' >packages.txt && "$project/install-packages" "$PWD/packages.txt"; } ||
   echo "Firefox skipped: firefox-esr could not be installed" | tee skipped
 /usr/bin/python3 -c 'import bleach' 2>/dev/null || { echo python3-bleach >packages.txt && "$project/install-packages" "$PWD/packages.txt"; } ||
   echo "page_cleaner skipped: python3-bleach could not be installed" | tee -a skipped

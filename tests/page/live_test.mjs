@@ -6,6 +6,7 @@ import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { axe, check, close, expect, finish, launch, openPage } from "./browser.mjs";
+import { liveKeys } from "./live_keys.mjs";
 
 const [folder, bookspin] = process.argv.slice(2);
 const address = pathToFileURL(join(folder, "site", "index.html")).href;
@@ -81,14 +82,7 @@ await check("the original's keys", async () => {
   const page = await open();
   const canvas = page.locator("#live .live-stage canvas");
   await canvas.focus();
-  const keys = [["2", "panel.book.angular_velocity[1] > 0", true], ["3", "panel.book.angular_velocity[2] > 0", true], ["1", "panel.book.angular_velocity[0] > 0", true],
-    ["8", "panel.book.method", "matrix"], ["9", "panel.book.method", "quaternion"], ["0", "panel.book.method", "exact"], ["7", "panel.book.method", "springs"],
-    ["n", "panel.book.normalize_every", 0], ["n", "panel.book.normalize_every", 1], ["d", "panel.book.damping", 0], ["d", "panel.book.damping", 1],
-    ["+", "panel.scene.time_per_frame > 0.5", true], ["-", "panel.scene.time_per_frame <= 0.5", true], ["*", "panel.scene.substeps > 30", true],
-    ["/", "panel.scene.substeps <= 30", true], ["e", "panel.withFigures", false], ["e", "panel.withFigures", true], ["g", 'panel.book.show.includes("exact")', true],
-    [" ", "panel.playing", true], [" ", "panel.playing", false], ["r", "panel.place", 0], [".", "panel.place", 1], [".", "panel.place", 2], [",", "panel.place", 1],
-    ["s", "panel.rate", 2], ["ArrowRight", "panel.from[0] > 0.4", true], ["v", "panel.from", [0.35, 0.3, 1]]];
-  for (const [key, look, wanted] of keys) {
+for (const [key, look, wanted] of liveKeys) {
     await page.keyboard.press(key);
     await is(page, look, wanted);
   }
