@@ -533,8 +533,8 @@ class Panel {
       this.show();
     }, true);
     new ResizeObserver(() => { this.drawn = this.charted = false; this.wake(); }).observe(root);
-    new IntersectionObserver(([entry]) => {
-      this.inSight = entry.isIntersecting;
+    new IntersectionObserver((entries) => {
+      this.inSight = entries.at(-1).isIntersecting;  // in a busy browser several come at once
       this.before = undefined;
       this.wake();
     }).observe(root.querySelector(".live-grid"));
