@@ -230,12 +230,47 @@ await check("an address gives the scene that gave it", async () => {
   // A link within the page, too; and back again.
   await again.locator('#live .live-try a').nth(2).click();
   await again.waitForFunction(() => document.getElementById("live").panel.scene.books[0].stiffness === 75);
-  // What the text says happens in the hand.
-  await again.locator(".note .to-live").click();
-  await again.waitForFunction(() => document.getElementById("live").panel.scene.substeps === 12);
-  await complete(again);
-  await is(again, "panel.engine.exploded(0)", 29);
   await close(again);
+});
+
+await check("numbers in the text move the panel, which comes beside them", async () => {
+  const page = await open();
+  const number = (name) => page.locator(`.drag[data-drag="${name}"]`);
+  const shown = (name) => number(name).textContent();
+  // The step of damped springs, which the text calls too long above about 0.04.
+  await number("steps").scrollIntoViewIfNeeded();
+  await page.waitForFunction(() => !document.getElementById("live").panel.placeInSight);
+  expect((await shown("steps")) === "h = 0.0357", await shown("steps"));
+  await number("steps").press("ArrowRight");
+  await number("steps").press("ArrowRight");
+  expect((await shown("steps")) === "h = 0.0417", await shown("steps"));
+  expect((await number("steps").getAttribute("aria-valuetext")) === "h = 0.0417", "it is not said");
+  await is(page, "[panel.afloat, panel.scene.substeps, panel.book.normalize_every]", [true, 12, 0]);
+  await complete(page);
+  await is(page, "panel.engine.exploded(0)", 29);
+  await number("steps").press("ArrowLeft");
+  await complete(page);
+  await is(page, "panel.engine.exploded(0)", -1);  // 0.0385
+  await page.mouse.click(5, 5);
+  await is(page, "panel.afloat", false);
+  // Dragged; another number brings a scene of its own.
+  await number("stiffness").scrollIntoViewIfNeeded();
+  const box = await number("stiffness").boundingBox();
+  await page.mouse.move(box.x + 10, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 50, box.y + box.height / 2, { steps: 5 });
+  await page.mouse.up();
+  await is(page, "[panel.afloat, panel.book.stiffness > 1, panel.book.damping, panel.scene.substeps]", [true, true, 0, 30]);
+  const over = await page.evaluate(() => {
+    const [a, b] = [".drag[data-drag=stiffness]", ".afloat"].map((one) => document.querySelector(one).getBoundingClientRect());
+    return a.bottom > b.top && a.top < b.bottom && a.right > b.left;
+  });
+  expect(!over, "the screen lies over the number");
+  await number("kick").press("ArrowLeft");
+  await is(page, '[panel.book.method, panel.book.jiggle < 0.01, location.hash.startsWith("#live?method=exact&kick=")]', ["exact", true, true]);
+  await page.evaluate(() => document.getElementById("live").scrollIntoView({ behavior: "instant" }));
+  await page.waitForFunction(() => !document.getElementById("live").panel.afloat);
+  await close(page);
 });
 
 await check("hostile addresses are harmless", async () => {

@@ -72,7 +72,8 @@ class Panel {
     this.told = root.querySelector(".live-told");
     this.buttons = Object.fromEntries([...root.querySelectorAll("[data-do]")].map((button) => [button.dataset.do, button]));
     this.playing = !matchMedia("(prefers-reduced-motion: reduce)").matches;
-    this.inSight = false;
+    this.inSight = this.placeInSight = this.afloat = false;
+    this.offered = null;  // the number in the text that was dragged last
     this.rate = 1;
     this.withFigures = true;
     this.begin("", copyOf(homeScene));
@@ -86,6 +87,7 @@ class Panel {
 
   // Another scene than the one before: a film's, or the panel's own.
   begin(film, scene, frame = 0) {
+    this.offered = null;
     this.film = film;
     this.base = copyOf(scene);
     this.scene = scene;
@@ -380,10 +382,17 @@ class Panel {
     history.replaceState(null, "", text ? "#live?" + text : "#live");
   }
 
-  // Whatever an address says: a word or number that a control could not give is passed over.
   readAddress() {
     if (!/^#live(\?|$)/.test(location.hash)) return false;
-    const words = new URLSearchParams(location.hash.slice("#live?".length));
+    const written = location.hash;
+    this.read(new URLSearchParams(written.slice("#live?".length)));
+    if (written.length <= "#live?".length) history.replaceState(null, "", "#live");
+    this.root.scrollIntoView({ block: "start" });
+    return true;
+  }
+
+  // Whatever an address says: a word or number that a control could not give is passed over.
+  read(words) {
     const film = Object.hasOwn(liveData.films, words.get("film") ?? "") ? words.get("film") : "";
     this.begin(film, copyOf(film ? liveData.films[film].scene : homeScene));
     const number = (name, { values }, whole) => {
@@ -413,11 +422,69 @@ class Panel {
     this.current = 0;
     const from = words.get("from")?.split("_").map(Number);
     if (from?.length === 3 && from.every((x) => Math.abs(x) <= 1e3) && (from[0] !== 0 || from[2] !== 0)) this.turn(from);
-    const written = location.hash;
     this.change(() => {});
-    if (written.length <= "#live?".length) history.replaceState(null, "", "#live");
-    this.root.scrollIntoView({ block: "start" });
-    return true;
+  }
+
+  // A number in the text, dragged or moved by arrow keys: its scene comes into the panel, and the screen beside it.
+  offer(number) {
+    const { drag: name, scene } = number.dataset;
+    const { values, key, clip, say } = sliders[name];
+    const written = new URLSearchParams(scene).get(name);
+    let place = values.indexOf(written === null ? homeScene.books[0][key] : Number(written));
+    const show = () => {
+      const text = name === "steps" ? `h = ${Number((homeScene.time_per_frame / values[place]).toPrecision(3))}` : say(values[place]);
+      number.textContent = text;
+      const attributes = { valuemin: 0, valuemax: values.length - 1, valuenow: place, valuetext: text };
+      for (const [attribute, value] of Object.entries(attributes)) number.setAttribute("aria-" + attribute, value);
+    };
+    const move = (to) => {
+      const next = Math.min(Math.max(to, 0), values.length - 1);
+      if (this.offered !== number) {
+        this.read(new URLSearchParams(scene));
+        this.offered = number;
+        if (!calm) this.playing = true;
+      }
+      this.float(true, number.getBoundingClientRect().top > innerHeight / 2);
+      place = next;
+      show();
+      this.place = 0;
+      if ((clip ? this.scene : this.book)[key] !== values[place]) this.set(name, values[place]);
+    };
+    number.addEventListener("keydown", (event) => {
+      const by = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
+      if (by === undefined) return;
+      event.preventDefault();
+      move(place + by * (name === "steps" ? -1 : 1));  // of a step, not of how many there are
+    });
+    let from;
+    number.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0) return;
+      event.preventDefault();
+      number.setPointerCapture(event.pointerId);
+      number.focus({ preventScroll: true });
+      from = { x: event.clientX, place };
+      move(place);
+    });
+    number.addEventListener("pointermove", (event) => {
+      if (!number.hasPointerCapture(event.pointerId)) return;
+      const to = from.place + Math.round((event.clientX - from.x) / 8) * (name === "steps" ? -1 : 1);
+      if (to !== place) move(to);
+    });
+    number.addEventListener("blur", () => this.float(false));
+    show();
+  }
+
+  // The screen over the page, at its lower or upper edge, as long as its own place is out of sight.
+  float(on, above = false) {
+    const [screen, grid] = [".screen", ".live-grid"].map((one) => this.root.querySelector(one));
+    if (on === this.afloat || (on && this.placeInSight)) return;
+    grid.style.minHeight = on ? `${grid.offsetHeight}px` : "";
+    screen.classList.toggle("afloat", on);
+    screen.classList.toggle("above", above);
+    this.afloat = on;
+    this.inSight = on || this.placeInSight;
+    this.drawn = this.charted = false;
+    this.wake();
   }
 
   // A film's scene, from where the film stands.
@@ -534,7 +601,9 @@ class Panel {
     }, true);
     new ResizeObserver(() => { this.drawn = this.charted = false; this.wake(); }).observe(root);
     new IntersectionObserver((entries) => {
-      this.inSight = entries.at(-1).isIntersecting;  // in a busy browser several come at once
+      this.placeInSight = entries.at(-1).isIntersecting;  // in a busy browser several come at once
+      if (this.placeInSight) this.float(false);
+      this.inSight = this.afloat || this.placeInSight;
       this.before = undefined;
       this.wake();
     }).observe(root.querySelector(".live-grid"));
@@ -553,8 +622,9 @@ async function openPanel(root) {
     return pen.getImageData(0, 0, picture.width, picture.height);
   }));
   root.hidden = false;
-  for (const link of document.querySelectorAll(".to-live")) link.hidden = false;
   root.panel = new Panel(root, engine, new Painter(root.querySelector(".live-stage canvas"), engine, liveData.shaders, pictures));
+  for (const number of document.querySelectorAll(".drag")) root.panel.offer(number);
+  for (const part of document.querySelectorAll(".to-live")) part.hidden = false;
 }
 openPanel(document.getElementById("live")).catch((error) => {
   document.getElementById("live").hidden = true;
