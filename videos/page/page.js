@@ -2,6 +2,7 @@
 "use strict";
 
 const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+const start = (video) => video.play().catch(() => {});  // a pause may come before the film
 const status = document.getElementById("status");
 const speeds = { 1: "1×", 0.5: "½×", 0.25: "¼×", 0.1: "⅒×" };
 
@@ -89,7 +90,7 @@ function connect(film) {
     go((Math.floor(now() * fps + 0.01) + frames + 0.5) / fps);  // to the middle of a frame
   };
   const actions = {
-    play: () => (video.paused ? video.play().catch(() => {}) : video.pause()),  // a pause may come before the film
+    play: () => (video.paused ? start(video) : video.pause()),
     back: () => step(-1),
     on: () => step(1),
     speed: () => {
@@ -221,11 +222,11 @@ if (hero) {
   const hold = document.querySelector(".hold");
   const begin = Number(hero.dataset.begin);
   hero.currentTime = begin;
-  hero.addEventListener("ended", () => { hero.currentTime = begin; hero.play(); });
+  hero.addEventListener("ended", () => { hero.currentTime = begin; start(hero); });
   for (const event of ["play", "pause"]) hero.addEventListener(event, () => { hold.textContent = hero.paused ? "Play" : "Pause"; });
-  hold.addEventListener("click", () => (hero.paused ? hero.play() : hero.pause()));
+  hold.addEventListener("click", () => (hero.paused ? start(hero) : hero.pause()));
   hold.hidden = false;
-  if (!calm) hero.play().catch(() => {});
+  if (!calm) start(hero);
 }
 
 // A film that nobody sees need not run.
