@@ -88,6 +88,15 @@ TEST_F(Packages, OfTwoTheFirstIsInstalledThoughTheOtherIsThere) {
   EXPECT_THAT(read_text(scratch / "asked"), HasSubstr("APT::Status-Fd=3 first\n"));
 }
 
+TEST_F(Packages, WhereTheFirstCannotBeInstalledTheOtherDoes) {
+  write_text(scratch / "apt-packages.txt", "first | here\n");
+  debian();
+  user(0);
+  const Said said = install("APT_FAILS=1");
+  EXPECT_EQ(said.exit_code, 0);
+  EXPECT_THAT(said.err, HasSubstr("could not be installed, and what is here does without: first\n"));
+}
+
 TEST_F(Packages, AUserWhoCannotInstallDoesWithTheOther) {
   write_text(scratch / "apt-packages.txt", "first | here\n");
   debian();

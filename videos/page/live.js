@@ -440,9 +440,9 @@ class Panel {
     const move = (to) => {
       const next = Math.min(Math.max(to, 0), values.length - 1);
       if (this.offered !== number) {
+        if (!calm) this.playing = true;
         this.read(new URLSearchParams(scene));
         this.offered = number;
-        if (!calm) this.playing = true;
       }
       this.float(true, number.getBoundingClientRect().top > innerHeight / 2);
       place = next;
