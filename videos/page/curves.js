@@ -78,11 +78,10 @@ function drawChart(canvas, panels, share, times) {
       pen.stroke();
       pen.setLineDash([]);
       if (row > 0) continue;
-      const words = mark.label;
-      pen.textAlign = at > (left + right) / 2 ? "right" : "left";
+      const long = pen.measureText(mark.label).width;
+      const free = [at + 5, at - 5 - long].find((x) => x >= left && x + long <= right);  // beside the mark, where there is room
       pen.fillStyle = "#f0e442";
-      pen.fillText(words, at + (pen.textAlign === "left" ? 5 : -5), head + 0.75 * rem);
-      pen.textAlign = "left";
+      pen.fillText(mark.label, free ?? Math.max(left, right - long), head + 0.75 * rem);
     }
   });
 }

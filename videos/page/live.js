@@ -341,7 +341,9 @@ class Panel {
     const one = scene.books.length === 1;
     const panels = [one ? panelOf("tilt", ...(this.book.show.includes("exact") ? ["exact_tilt"] : [])) : panelOf("tilt"),
       one ? panelOf("energy_ratio", "angular_momentum_ratio") : panelOf("energy_ratio"), panelOf("angle_error")].filter((panel) => panel.curves.length > 0);
-    drawChart(this.chart, panels, 1 / Math.max(1, this.end - 1), [0, 1, 2, 3, 4].map((n) => this.timeOf(Math.round(((this.end - 1) * n) / 4))));
+    const parts = this.chart.clientWidth < 300 ? 2 : 4;
+    const times = Array.from({ length: parts + 1 }, (_, n) => this.timeOf(Math.round(((this.end - 1) * n) / parts)));
+    drawChart(this.chart, panels, 1 / Math.max(1, this.end - 1), times);
     this.charted = true;
   }
 
