@@ -45,14 +45,10 @@ std::string counted(Number count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-// To standard error. That nobody reads it is no reason to stop: fmt::print would throw.
+// To standard error, where a line is rewritten. That nobody reads it is no reason to stop: fmt::print would throw.
 void tell(const std::string& text) {
   std::fputs(text.c_str(), stderr);
   std::fflush(stderr);
-}
-
-void complain(std::string_view what) {
-  tell(fmt::format("bookspin: {}\n", what));
 }
 
 fs::path folder_or(const std::string& folder, const fs::path& otherwise) {
@@ -310,7 +306,7 @@ int write_trajectory(const Options& options) {
 }
 
 int print_scene(const Options& options) {
-  print(scene_json(load_scene(options.scenes.front(), options.overrides)) + '\n');
+  print_data(scene_json(load_scene(options.scenes.front(), options.overrides)) + '\n');
   return 0;
 }
 

@@ -83,7 +83,7 @@ struct OutOfMemory : std::bad_alloc {
 
 int main(int argc, char** argv) {
   const auto failed = [](const char* what, int exit_code) {
-    std::fprintf(stderr, "bookspin: %s\n", what);
+    bookspin::complain(what);
     return exit_code;
   };
   std::set_new_handler([] { throw bookspin::OutOfMemory(); });

@@ -17,6 +17,19 @@ namespace {
   throw std::runtime_error(std::string("standard output: cannot be written: ") + std::strerror(errno));
 }
 
+std::string without_controls(std::string_view text) {
+  std::string shown;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    // U+0080 to U+009F, in UTF-8, are controls, too.
+    const bool is_c1 = byte == 0xc2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xa0;
+    const bool is_c0 = (byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7f;
+    if (is_c1) ++i;
+    shown += is_c0 || is_c1 ? '?' : text[i];
+  }
+  return shown;
+}
+
 }  // namespace
 
 void reserve_standard_streams() {
@@ -26,8 +39,17 @@ void reserve_standard_streams() {
   }
 }
 
+void complain(std::string_view what) {
+  std::fputs(("bookspin: " + without_controls(what) + '\n').c_str(), stderr);
+  std::fflush(stderr);
+}
+
 void print(std::string_view text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) fail();
+  print_data(without_controls(text));
+}
+
+void print_data(std::string_view data) {
+  if (std::fwrite(data.data(), 1, data.size(), stdout) != data.size()) fail();
 }
 
 void finish_output() {

@@ -13,6 +13,8 @@
 #include <mutex>
 #include <new>
 
+#include "cli/standard_output.h"
+
 namespace bookspin {
 namespace {
 
@@ -111,7 +113,7 @@ int stoppable(const std::function<int(const std::stop_token&)>& command) {
     return exit_code == 0 || listener.last_signal() == 0 ? exit_code : 128 + listener.last_signal();
   } catch (const std::exception& error) {
     if (listener.last_signal() == 0) throw;
-    std::fprintf(stderr, "bookspin: %s\n", error.what());
+    complain(error.what());
     return 128 + listener.last_signal();
   }
 }

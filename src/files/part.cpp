@@ -48,7 +48,8 @@ class FolderLock {
       held_ = flock(folder_.number, LOCK_EX | LOCK_NB) == 0;
       if (held_ || errno != EWOULDBLOCK) return;
       if (tries == most_tries) throw_file_error(folder, "cannot be changed", "another program has locked it");
-      usleep(20000);
+      if (usleep(20000) != 0)
+        throw_file_error(folder, "cannot be changed", "stopped while another program had locked it");
     }
   }
   [[nodiscard]] bool held() const { return held_; }

@@ -71,7 +71,9 @@ Process::Process(const std::function<std::string(const std::stop_token&)>& work)
 
 Process::~Process() {
   if (pipe_ >= 0) close(pipe_);
-  if (pid_ > 0) waitpid(pid_, nullptr, 0);
+  if (pid_ <= 0) return;
+  ask_to_stop();
+  waitpid(pid_, nullptr, 0);
 }
 
 bool Process::read() {

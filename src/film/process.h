@@ -15,7 +15,7 @@ namespace bookspin {
 class Process {
  public:
   explicit Process(const std::function<std::string(const std::stop_token&)>& work);
-  ~Process();  // waits
+  ~Process();  // asks it to stop, and waits
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 

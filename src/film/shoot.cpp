@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
+#include <list>
 #include <map>
 #include <new>
 #include <numeric>
@@ -72,6 +74,69 @@ class Shared {
   T* object_ = nullptr;
 };
 
+void stop_if(const std::stop_token& stop) {
+  if (stop.stop_requested()) throw Stopped();
+}
+
+// Work in a process of its own.
+class Helper {
+ public:
+  template <class Work>
+  explicit Helper(const Work& work)
+      : process_([&](const std::stop_token& stop) {
+          work(stop);
+          return std::string();
+        }) {}
+
+  // Whether it is done, asked for so many milliseconds at most. Throws what the work threw.
+  bool is_done(int within) {
+    pollfd pipe{process_.descriptor(), POLLIN, 0};
+    if (!done_ && poll(&pipe, 1, within) > 0) {
+      (void)process_.result();
+      done_ = true;
+    }
+    return done_;
+  }
+
+ private:
+  Process process_;
+  bool done_ = false;
+};
+
+// Several workers, this process and its helpers, take a film's segments by turns: neighbors cost alike. draw(share,
+// writer, look_around) draws those of a share and says by what. OpenGL is not yet begun here.
+template <class Draw>
+std::string draw_in_pieces(const fs::path& film, const FilmWriter::Settings& settings, FilmWriter& writer, int frames,
+                           int shares, const Draw& draw, const std::stop_token& stop) {
+  std::list<Part> pieces;
+  for (int i = 0; i < shares; ++i) pieces.emplace_back(fs::path(film).replace_extension("piece"), NamedBy::program);
+  const auto draw_piece = [&](int share, const auto& look_around) {
+    FilmWriter piece(*std::next(pieces.begin(), share), settings);
+    std::string drawn_by = draw(share, &piece, look_around);
+    piece.finish();
+    return drawn_by;
+  };
+  std::list<Helper> helpers;
+  for (int i = 1; i < shares; ++i)
+    helpers.emplace_back([&, i](const std::stop_token& its_stop) { draw_piece(i, [&] { stop_if(its_stop); }); });
+  std::string drawn_by = draw_piece(0, [&] {
+    stop_if(stop);
+    for (Helper& helper : helpers) (void)helper.is_done(0);  // or has failed, and the rest is in vain
+  });
+  for (Helper& helper : helpers) {
+    while (!helper.is_done(100)) stop_if(stop);
+  }
+
+  std::list<PieceReader> readers(pieces.begin(), pieces.end());
+  auto reader = readers.begin();
+  const int segment = *writer.segment();
+  for (int first = 0; first < frames; first += segment) {
+    writer.append(*reader, std::min(segment, frames - first));
+    if (++reader == readers.end()) reader = readers.begin();
+  }
+  return drawn_by;
+}
+
 constexpr char end_of_field = '\0';
 
 std::string text_of(const FilmReceipt& receipt) {
@@ -120,39 +185,44 @@ void require_products(const Film& film, const fs::path& folder) {
   const PartsOfFilm parts(film, prepare(film, folder));
 }
 
-FilmReceipt shoot(const Film& film, const fs::path& folder, Renderer& renderer, Progress& progress,
-                  const std::stop_token& stop) {
+FilmReceipt shoot(const Film& film, const fs::path& folder, const GetRenderer& get_renderer, Progress& progress,
+                  const std::stop_token& stop, int workers) {
   const Products names = prepare(film, folder);
   PartsOfFilm parts(film, names);
   auto& [mp4, poster, data] = parts;
+  const FilmWriter::Settings settings{film.width, film.height, film.scene.clip.fps, film.scene.title};
   std::optional<FilmWriter> writer;
-  if (mp4) {
-    writer.emplace(*mp4, FilmWriter::Settings{film.width, film.height, film.scene.clip.fps, film.scene.title});
-  }
+  if (mp4) writer.emplace(*mp4, settings);
   const Trajectory trajectory = simulate(film.scene, stop, &progress.frames_simulated);
   FilmReceipt receipt;
   receipt.verdicts = judge(film.scene, trajectory);
   const Storyboard storyboard(film.scene, trajectory, film.width, film.height);
   const int end_frame = std::clamp(storyboard.frames(), film.first_frame + 1, film.end_frame);
-  const int poster_frame = (film.first_frame + end_frame) / 2;
+  receipt.frames = end_frame - film.first_frame;
+  const int segment = writer ? writer->segment().value_or(receipt.frames) : receipt.frames;
+  const int shares = std::min(workers, (receipt.frames + segment - 1) / segment);
+  const auto draw = [&](int share, FilmWriter* into, const auto& look_around) {
+    Renderer& renderer = get_renderer();
+    for (int frame = film.first_frame; frame < end_frame; ++frame) {
+      if ((frame - film.first_frame) / segment % shares != share) continue;
+      look_around();
+      const Image& picture = renderer.draw(storyboard.shot(frame));
+      if (into != nullptr) into->write(picture, renderer.changed());
+      if (frame == (film.first_frame + end_frame) / 2) write_png(poster, picture);
+      ++progress.frames_drawn;
+    }
+    return renderer.description();
+  };
   constexpr int samples = 16;
-  for (int i = 0; writer && writer->needs_samples() && i < samples; ++i) {
-    const int frame = film.first_frame + i * (end_frame - film.first_frame) / samples;
-    writer->sample(renderer.draw(storyboard.shot(frame)));
-  }
-  for (int frame = film.first_frame; frame < end_frame; ++frame) {
-    if (stop.stop_requested()) throw Stopped();
-    const Image& picture = renderer.draw(storyboard.shot(frame));
-    if (writer) writer->write(picture, renderer.changed());
-    if (frame == poster_frame) write_png(poster, picture);
-    ++progress.frames_drawn;
-  }
+  for (int i = 0; writer && writer->needs_samples() && i < samples; ++i)
+    writer->sample(get_renderer().draw(storyboard.shot(film.first_frame + i * receipt.frames / samples)));
+  const std::string drawn_by = shares > 1
+                                   ? draw_in_pieces(names.film, settings, *writer, receipt.frames, shares, draw, stop)
+                                   : draw(0, writer ? &*writer : nullptr, [&] { stop_if(stop); });
   if (writer) writer->finish();
   progress.frames_drawn += film.end_frame - end_frame;  // those that need not be drawn
-  write_film_data(data, {film, trajectory, receipt.verdicts, end_frame - film.first_frame, mp4 ? &*mp4 : nullptr,
-                         poster, renderer.description()});
+  write_film_data(data, {film, trajectory, receipt.verdicts, receipt.frames, mp4 ? &*mp4 : nullptr, poster, drawn_by});
 
-  receipt.frames = end_frame - film.first_frame;
   receipt.product = mp4 ? names.film : names.poster;
   receipt.bytes = fs::file_size(mp4 ? mp4->path() : poster.path());
   if (mp4) {
@@ -167,10 +237,13 @@ FilmReceipt shoot(const Film& film, const fs::path& folder, Renderer& renderer, 
 std::vector<FilmOutcome> shoot_all(std::span<const Film> films, const fs::path& folder, const fs::path& assets,
                                    int workers, Progress& progress, const std::function<bool()>& go_on) {
   const Shared<Progress> shared;
-  const auto work = [&](const Film& film, const std::stop_token& stop) -> std::string {
+  const auto work = [&](const Film& film, const std::stop_token& stop, int share) -> std::string {
+    std::optional<Renderer> renderer;
+    const auto get = [&]() -> Renderer& {
+      return renderer ? *renderer : renderer.emplace(film.width, film.height, assets);
+    };
     try {
-      Renderer renderer(film.width, film.height, assets);
-      return text_of(shoot(film, folder, renderer, *shared, stop));
+      return text_of(shoot(film, folder, get, *shared, stop, share));
     } catch (const Stopped&) {
       return "";
     }
@@ -198,8 +271,12 @@ std::vector<FilmOutcome> shoot_all(std::span<const Film> films, const fs::path& 
     while (!queue.empty() && running.size() < static_cast<std::size_t>(workers)) {
       const std::size_t i = queue.back();
       queue.pop_back();
+      // The last film is for all workers: those that are still at another one come to it when that is done.
+      const int free = workers - static_cast<int>(running.size());
+      const int share = queue.empty() ? workers : free / static_cast<int>(queue.size() + 1);
       try {
-        running.try_emplace(i, [&, i](const std::stop_token& stop) { return work(films[i], stop); });
+        running.try_emplace(i,
+                            [&, i](const std::stop_token& stop) { return work(films[i], stop, std::max(1, share)); });
       } catch (const std::runtime_error& error) {
         outcomes[i].error = error.what();
       }

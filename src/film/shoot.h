@@ -41,9 +41,13 @@ struct Progress {
 // Throws what shoot() would throw because a product cannot have its name; leaves the folder and nothing in it.
 void require_products(const Film& film, const std::filesystem::path& folder);
 
-// The renderer must have the film's size. Asked to stop, throws Stopped before the next frame.
-[[nodiscard]] FilmReceipt shoot(const Film& film, const std::filesystem::path& folder, Renderer& renderer,
-                                Progress& progress, const std::stop_token& stop = {});
+using GetRenderer = std::function<Renderer&()>;  // of the film's size
+
+// The renderer is asked for when the scene is simulated. Several workers, each a process, draw and encode a long MP4 in
+// pieces, which makes the same bytes: then `progress` is in memory that processes share, and OpenGL is not yet begun.
+// Asked to stop, throws Stopped before the next frame.
+[[nodiscard]] FilmReceipt shoot(const Film& film, const std::filesystem::path& folder, const GetRenderer& get_renderer,
+                                Progress& progress, const std::stop_token& stop = {}, int workers = 1);
 
 // One film of several, which ended in a receipt or in an error; when it was stopped, in neither.
 struct FilmOutcome {
@@ -51,7 +55,8 @@ struct FilmOutcome {
   std::string error;
 };
 
-// All films, the longest first, each in a process of its own, `workers` at a time: one that dies costs its film.
+// All films, the longest first, each in a process of its own, `workers` at a time: one that dies costs its film. Where
+// films are fewer than workers, and at the end, several share a film.
 // Outcomes in the order of the films. `go_on` is called ten times a second, with the progress up to date; when it says
 // no, all stop.
 [[nodiscard]] std::vector<FilmOutcome> shoot_all(

@@ -5,8 +5,11 @@
 #include <array>
 #include <fstream>
 #include <list>
+#include <regex>
 #include <span>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "files/files.h"
 #include "fill/fill.h"
@@ -65,6 +68,15 @@ void publish_all(Draft& draft) {
   publish(in_order);
 }
 
+// Those that the page refers to, and two more.
+std::vector<std::string> names_of_files(const ReportOrder& order) {
+  static const std::regex reference(R"-("([a-z0-9_]+\.(csv|svg))")-");
+  const std::string page = read_file(order.project / "videos" / "report" / "page.html");
+  std::vector<std::string> names{"report.json", "index.html"};
+  for (std::sregex_iterator at(page.begin(), page.end(), reference), end; at != end; ++at) names.push_back((*at)[1]);
+  return names;
+}
+
 }  // namespace
 
 void Draft::keep(const std::string& name, const Table& table) {
@@ -90,7 +102,7 @@ Draft::Judged Draft::judge(const std::vector<std::string>& trial) {
 void make_report(const ReportOrder& order, const Tell& tell) {
   require_gnuplot();  // now, not after minutes of measuring
   make_folder(order.folder);
-  for (const char* name : {"report.json", "index.html"})
+  for (const std::string& name : names_of_files(order))
     const Part can_be_written(order.folder / name, NamedBy::program);
   std::string at;
   Draft draft{order, order.quick ? Effort{100'000, 1, 0, 3.0, true} : Effort(),

@@ -15,30 +15,31 @@
 namespace bookspin {
 namespace {
 
-// Chosen among some 20 settings, the last few measured on short pieces of all films in videos/ at 1280x720. Against
-// veryfast at a rate factor of 20 these take 0.55 of the time, for 1.22 times the bytes at 0.06 dB less with a factor of
-// 24, for 1.16 times at 0.3 dB less with 24.3 (of 43.5, luma); 24.2 lies between. Tumbling books are large surfaces in
-// even motion: what looks ahead (mbtree, lookahead, adaptive B pictures) costs a third and finds little, as do finer
-// steps of the motion search (subme) and blocks of 8x8 in B pictures. Without blocks of 8x8 in P pictures, too: 0.50 of
-// the time, 0.2 dB less. The preset "superfast" triples the bytes.
+// Chosen among some 30 settings, the last on 120 frames of each film in videos/ at 1280x720, by `make bench`. Against
+// veryfast at a rate factor of 20 these take 0.56 of the time and 1.08 times the bytes, at 0.25 dB less (of 43.4, luma).
+// Tumbling books are large surfaces in even motion: what looks ahead (mbtree, lookahead, adaptive B pictures) costs a
+// third and finds little, as do blocks of 8x8 in B pictures. A motion search by whole pixels (subme=1) takes 0.9 of that
+// time, for 1.19 times the bytes at 0.3 dB less. The preset "superfast" triples the bytes.
 //
 // No scene cuts: key frames fall on whole seconds and nowhere else. cpu-independent: the same bytes on every machine.
 struct Format {
   std::string_view extension;
-  const char* muxer;
+  const char* muxer;  // none: packets one after the other, for append()
   const char* encoder;
   AVPixelFormat pixels;
   const char* encoder_options;
   const char* muxer_options;
 };
+constexpr const char* mp4_encoder_options =
+    "preset=veryfast;profile=high;crf=23.3;x264-params=scenecut=0:cpu-independent=1:"
+    "subme=2:mbtree=0:rc-lookahead=0:b-adapt=0:bframes=2:partitions=i4x4,i8x8,p8x8";
 constexpr std::array formats{
-    Format{".mp4", "mp4", "libx264", AV_PIX_FMT_YUV420P,
-           "preset=veryfast;profile=high;crf=24.2;x264-params=scenecut=0:cpu-independent=1:"
-           "subme=1:mbtree=0:rc-lookahead=0:b-adapt=0:partitions=i4x4,i8x8,p8x8",
-           "movflags=+faststart"},
+    Format{".mp4", "mp4", "libx264", AV_PIX_FMT_YUV420P, mp4_encoder_options, "movflags=+faststart"},
+    Format{".piece", nullptr, "libx264", AV_PIX_FMT_YUV420P, mp4_encoder_options, ""},
     Format{".webm", "webm", "libvpx-vp9", AV_PIX_FMT_YUV420P, "crf=30;b=0;deadline=realtime;cpu-used=5", ""},
     Format{".gif", "gif", "gif", AV_PIX_FMT_PAL8, "", ""}};
-constexpr int most_gif_frames = 25;  // a second; of a film of 60 it has 20, whose time is whole hundredths
+constexpr int seconds_of_a_segment = 1;  // of an MP4
+constexpr int most_gif_frames = 25;      // a second; of a film of 60 it has 20, whose time is whole hundredths
 
 const Format& format_of(const std::filesystem::path& file) {
   const auto* const found = std::find_if(formats.begin(), formats.end(),
@@ -80,6 +81,10 @@ std::string describe_encoder() {
   return std::string(find_encoder(formats.front().encoder)->name) + " by libavcodec " + encoder_version();
 }
 
+std::string mp4_settings() {
+  return mp4_encoder_options;
+}
+
 struct FilmWriter::Film {
   std::filesystem::path file;  // the film's name, for messages
   std::filesystem::path path;  // where it is written
@@ -87,6 +92,7 @@ struct FilmWriter::Film {
   const Format& format;
   int every;  // of the pictures given, one in so many is a frame
   Libav<AVFormatContext> muxer;
+  Libav<AVIOContext> piece;  // instead of the muxer
   Libav<AVCodecContext> encoder;
   Libav<AVFrame> picture;     // the last frame written, in I420 or as indices of the palette
   Palette palette;            // of a GIF
@@ -101,6 +107,9 @@ struct FilmWriter::Film {
   void open_encoder();
   void write_header();
   void encode(const AVFrame* frame);
+  void write_packet();
+  [[nodiscard]] bool in_segments() const { return format.encoder_options == mp4_encoder_options; }
+  [[nodiscard]] AVRational time_of_a_frame() const { return {every, settings.fps}; }
   void check(int code, const char* operation) const {
     if (code < 0) throw_libav_error(file, operation, code);
   }
@@ -118,9 +127,15 @@ FilmWriter::Film::Film(const Part& part, Settings wanted)
   }
   if (format.pixels == AV_PIX_FMT_PAL8) every = (settings.fps + most_gif_frames - 1) / most_gif_frames;
   capture_libav_log();
-  open_muxer();
+  if (format.muxer != nullptr) open_muxer();
   open_encoder();
-  write_header();
+  if (format.muxer != nullptr) {
+    write_header();
+  } else {
+    AVIOContext* opened = nullptr;
+    check(avio_open(&opened, ("file:" + path.string()).c_str(), AVIO_FLAG_WRITE), "create");
+    piece.reset(opened);
+  }
   packet = owned(av_packet_alloc());
   picture = owned(av_frame_alloc());
   picture->format = encoder->pix_fmt;
@@ -159,7 +174,7 @@ void FilmWriter::Film::open_encoder() {
   encoder->height = settings.height;
   encoder->pix_fmt = format.pixels;
   encoder->sample_aspect_ratio = {1, 1};
-  encoder->time_base = {every, settings.fps};
+  encoder->time_base = time_of_a_frame();
   encoder->framerate = {settings.fps, every};
   if (format.pixels == AV_PIX_FMT_YUV420P) {
     encoder->color_range = AVCOL_RANGE_MPEG;
@@ -205,15 +220,29 @@ void FilmWriter::Film::encode(const AVFrame* frame) {
     const int received = avcodec_receive_packet(encoder.get(), packet.get());
     if (received == AVERROR(EAGAIN) || received == AVERROR_EOF) return;
     check(received, "encode");
-    packet->stream_index = stream->index;
-    packet->duration = 1;
-    // Only since the header was written does the stream know its final time base.
-    av_packet_rescale_ts(packet.get(), encoder->time_base, stream->time_base);
-    const int written = av_write_frame(muxer.get(), packet.get());
-    av_packet_unref(packet.get());
-    check(written, "write a frame");
-    check(muxer->pb->error, "write a frame");
+    write_packet();
   }
+}
+
+// Its times are frames.
+void FilmWriter::Film::write_packet() {
+  if (piece) {
+    for (const std::int64_t number :
+         {packet->pts, packet->dts, std::int64_t{packet->flags}, std::int64_t{packet->size}})
+      avio_wl64(piece.get(), static_cast<std::uint64_t>(number));
+    avio_write(piece.get(), packet->data, packet->size);
+    av_packet_unref(packet.get());
+    check(piece->error, "write a frame");
+    return;
+  }
+  packet->stream_index = stream->index;
+  packet->duration = 1;
+  // Only since the header was written does the stream know its final time base.
+  av_packet_rescale_ts(packet.get(), time_of_a_frame(), stream->time_base);
+  const int written = av_write_frame(muxer.get(), packet.get());
+  av_packet_unref(packet.get());
+  check(written, "write a frame");
+  check(muxer->pb->error, "write a frame");
 }
 
 FilmWriter::FilmWriter(const Part& part, const Settings& settings) : film_(std::make_unique<Film>(part, settings)) {}
@@ -253,14 +282,67 @@ void FilmWriter::write(const Image& frame, const std::vector<Rect>& changed) {
     for (const Rect& area : areas) convert_to_i420(frame, area, planes);
   }
   picture->pts = (film.pictures - 1) / film.every;
+  if (const std::optional<int> frames = segment(); frames && picture->pts > 0 && picture->pts % *frames == 0) {
+    film.encode(nullptr);
+    film.open_encoder();
+  }
   film.encode(picture);
+}
+
+std::optional<int> FilmWriter::segment() const {
+  if (!film_->in_segments()) return {};
+  return seconds_of_a_segment * film_->settings.fps;
+}
+
+struct PieceReader::Piece {
+  std::filesystem::path file;  // for messages
+  Libav<AVIOContext> from;
+  std::int64_t frames = 0;  // that have been read
+};
+
+PieceReader::PieceReader(const Part& piece) : piece_(std::make_unique<Piece>()) {
+  piece_->file = piece.file();
+  AVIOContext* opened = nullptr;
+  const int result = avio_open(&opened, ("file:" + piece.path().string()).c_str(), AVIO_FLAG_READ);
+  if (result < 0) throw_libav_error(piece_->file, "open", result);
+  piece_->from.reset(opened);
+}
+
+PieceReader::~PieceReader() = default;
+
+void FilmWriter::append(PieceReader& piece, int frames) {
+  Film& film = *film_;
+  assert(segment() && film.pictures % *segment() == 0);
+  if (film.encoder && film.pictures > 0) film.encode(nullptr);
+  film.encoder.reset();
+  AVIOContext* const from = piece.piece_->from.get();
+  const std::int64_t later = film.pictures - piece.piece_->frames;
+  const auto number = [&] { return static_cast<std::int64_t>(avio_rl64(from)); };
+  for (int i = 0; i < frames; ++i) {
+    AVPacket& packet = *film.packet;
+    const std::int64_t pts = number(), dts = number(), flags = number(), size = number();
+    const int read = av_get_packet(from, &packet, static_cast<int>(size));
+    if (read < 0 || read != size) throw_libav_error(piece.piece_->file, "read", read < 0 ? read : AVERROR_INVALIDDATA);
+    packet.pts = pts + later;
+    packet.dts = dts + later;
+    packet.flags = static_cast<int>(flags);
+    film.write_packet();
+  }
+  film.pictures += frames;
+  piece.piece_->frames += frames;
 }
 
 void FilmWriter::finish() {
   assert(film_ != nullptr);
   Film& film = *film_;
   if (film.pictures == 0) throw std::invalid_argument(film.file.string() + ": a film needs at least one frame");
-  film.encode(nullptr);
+  if (film.encoder) film.encode(nullptr);
+  if (film.piece) {
+    avio_flush(film.piece.get());
+    film.check(film.piece->error, "write a frame");
+    film_.reset();
+    return;
+  }
   film.check(av_write_trailer(film.muxer.get()), "write the index");
   film.check(film.reread_error, "move the index to the front");
   avio_flush(film.muxer->pb);

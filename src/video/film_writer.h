@@ -2,6 +2,8 @@
 // part whose name ends in .webm as VP9, in .gif as a GIF of at most 25 frames a second: every second, third ... picture.
 //
 // H.264 High, yuv420p, BT.709 in limited range, a closed group of pictures and a key frame each second, index first.
+// Every second one begins a segment, whose bytes do not depend on what was before: a film may be written in pieces, each
+// of whole segments but for its end, and joined to the same bytes.
 // It is written into a Part, which must outlive the writer, and which the caller publishes after finish(). The same
 // pictures give the same bytes, on any CPU and beside any number of other writers (one thread a writer, any thread).
 // Throws std::invalid_argument for odd or empty sizes, a picture of another size, a film without
@@ -10,6 +12,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +24,21 @@ namespace bookspin {
 // The encoder and the library that has it. Throws std::runtime_error when there is none.
 [[nodiscard]] std::string describe_encoder();
 [[nodiscard]] std::string encoder_version();  // of libavcodec
+[[nodiscard]] std::string mp4_settings();     // of the encoder: "key=value;key=value", as libavcodec reads them
+
+// What a writer of the same settings has finished in a part whose name ends in .piece: segments of an MP4.
+class PieceReader {
+ public:
+  explicit PieceReader(const Part& piece);
+  PieceReader(const PieceReader&) = delete;
+  PieceReader& operator=(const PieceReader&) = delete;
+  ~PieceReader();
+
+ private:
+  friend class FilmWriter;
+  struct Piece;
+  std::unique_ptr<Piece> piece_;
+};
 
 class FilmWriter {
  public:
@@ -43,6 +61,13 @@ class FilmWriter {
   // Appends a frame. `changed` covers every pixel that differs from the frame before, and may be empty; of the first
   // frame everything counts. Only that part is converted.
   void write(const Image& frame, const std::vector<Rect>& changed);
+
+  // Frames of a segment; none: films of this format are not written in pieces.
+  [[nodiscard]] std::optional<int> segment() const;
+
+  // Appends to an MP4 the next frames of a piece: a segment, the film's last one may be shorter. What this one has so
+  // far is whole segments; from now on nothing but pieces may follow.
+  void append(PieceReader& piece, int frames);
 
   // Completes the file; afterwards only destruction is allowed.
   void finish();

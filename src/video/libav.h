@@ -20,6 +20,7 @@ struct LibavDelete {
   void operator()(AVFrame* frame) const { av_frame_free(&frame); }
   void operator()(AVPacket* packet) const { av_packet_free(&packet); }
   void operator()(AVDictionary* options) const { av_dict_free(&options); }
+  void operator()(AVIOContext* file) const { avio_close(file); }  // whose errors no longer matter
   void operator()(AVFormatContext* format) const {
     avio_closep(&format->pb);  // a file that was not finished: its errors no longer matter
     avformat_free_context(format);

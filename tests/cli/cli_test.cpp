@@ -81,6 +81,16 @@ TEST_F(Cli, ListsTheFiguresOfTheProjectAndOfAFolder) {
   EXPECT_EQ((*this)("list nowhere").exit_code, 1);
 }
 
+TEST_F(Cli, CommandsNoTerminalByNamesAndTitles) {
+  const fs::path folder = scratch / "hostile";
+  fs::create_directory(folder);
+  write_text(folder / "a\x1b]0;b.toml", "title = \"c\\u001b[2Jd\\u009be\"\n[[book]]\nangular_velocity = [1, 0, 0]\n");
+  write_text(folder / "f\x1b[g.toml", "?");
+  const Said said = (*this)("list hostile");
+  EXPECT_THAT(said.out, ContainsRegex("^a\\?\\]0;b.toml +[0-9.]+ s  c\\?\\[2Jd\\?e\n$"));
+  EXPECT_THAT(said.err, HasSubstr("f?[g.toml:1:"));
+}
+
 TEST_F(Cli, WarnsOnceOfWhatTheFontLacks) {
   write_text(
       scratch / "box.toml",

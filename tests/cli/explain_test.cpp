@@ -16,7 +16,7 @@ TEST(Explain, TheManualPageHasCommandsOptionsAndExitCodes) {
   const std::string page = run(Scratch(), bookspin + "help man").out;
   EXPECT_THAT(page, testing::StartsWith(".TH BOOKSPIN 1 "));
   EXPECT_THAT(page, HasSubstr("\n.SS render\nMake films"));
-  EXPECT_THAT(page, HasSubstr("\n.TP\n.B \\-j, \\-\\-jobs N\nFilms made at the same time"));
+  EXPECT_THAT(page, HasSubstr("\n.TP\n.B \\-j, \\-\\-jobs N\nProcesses that film at the same time"));
   EXPECT_THAT(page, HasSubstr("\n.SH EXIT STATUS\n"));
 }
 

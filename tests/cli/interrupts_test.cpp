@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -19,7 +20,9 @@ namespace bookspin {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AnyOf;
 using testing::ContainsRegex;
+using testing::HasSubstr;
 
 // Starts the program without a shell, which would have it ignore SIGINT; `error` and `output` are its standard streams.
 // Whoever runs the tests may have them ignore signals: in the background of a script, or by nohup.
@@ -122,6 +125,21 @@ TEST_F(Interrupts, WhoWaitsForAPipeCanBeStopped) {
   kill(child, SIGHUP);
   EXPECT_EQ(exit_code_of(child), 128 + SIGHUP);
   close(reader);
+}
+
+TEST_F(Interrupts, WhoWaitsForAFolderCanBeStopped) {
+  fs::create_directory(scratch / "locked");
+  const int folder = open((scratch / "locked").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  ASSERT_EQ(flock(folder, LOCK_EX), 0);
+  const pid_t child =
+      start(scratch.folder(), {"trajectory", "mine.toml", "-o", "locked/a.csv", "--set", "clip.frames=5000"}, "error");
+  wait_for_a_file_in(scratch / "locked", child);
+  kill(child, SIGTERM);
+  EXPECT_EQ(exit_code_of(child), 128 + SIGTERM);
+  EXPECT_THAT(read_text(scratch / "error"),
+              AnyOf(HasSubstr("stopped while another program had locked it"), HasSubstr("bookspin: stopped")));
+  EXPECT_TRUE(fs::is_empty(scratch / "locked"));
+  close(folder);
 }
 
 // The terminal goes away; whoever ignores the hangup, as nohup does, has the film made to its end.

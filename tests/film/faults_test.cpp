@@ -64,7 +64,10 @@ struct Faults : testing::Test {
     if (!can_inject_faults()) GTEST_SKIP() << "no system calls can be made to fail here";
   }
 
-  void shoot(const Film& film) { (void)bookspin::shoot(film, site, renderer, progress); }
+  void shoot(const Film& film) {
+    (void)bookspin::shoot(
+        film, site, [this]() -> Renderer& { return renderer; }, progress);
+  }
 
   void restore() const {
     fs::remove_all(site);

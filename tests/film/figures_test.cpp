@@ -67,7 +67,8 @@ TEST_P(Figure, FilmHasEveryFrameAndMeetsEveryExpectation) {
   const Film film = load_film(script(GetParam()), settings);
   Renderer renderer(160, 90, project);
   Progress progress;
-  const FilmReceipt receipt = shoot(film, scratch.folder(), renderer, progress);
+  const FilmReceipt receipt = shoot(
+      film, scratch.folder(), [&]() -> Renderer& { return renderer; }, progress);
   const Scene& scene = film.scene;
   EXPECT_EQ(progress.frames_drawn, scene.clip.frames);
   for (const Verdict& verdict : receipt.verdicts) EXPECT_TRUE(verdict.met) << verdict.says << ": " << verdict.text;

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "files/checksums.h"
@@ -114,6 +115,26 @@ TEST_F(Shoot, TwiceTheSameBytesWhateverTheNumberOfWorkers) {
   EXPECT_EQ(progress.films_done, 2);
   EXPECT_EQ(progress.frames_simulated, 2 * 24);
   EXPECT_EQ(progress.frames_drawn, 2 * 24);
+}
+
+FilmSettings of_eight_segments_and_a_bit() {  // of 30 frames
+  FilmSettings settings = small();
+  settings.overrides = {"clip.frames=250"};
+  return settings;
+}
+
+TEST_F(Shoot, WorkersWhoShareAFilmMakeTheSameBytes) {
+  const std::vector<Film> films{load_film(script, of_eight_segments_and_a_bit())};
+  ASSERT_EQ(shoot_all(films, site, project, 1, progress)[0].error, "");
+  const auto made = products_there();
+  EXPECT_EQ(read_mp4_info(site / "tumbling.mp4").frames, 250);
+  for (const int workers : {2, 3, 16}) {
+    fs::remove_all(site);
+    ASSERT_EQ(shoot_all(films, site, project, workers, progress)[0].error, "");
+    EXPECT_EQ(products_there(), made) << workers;
+    EXPECT_EQ(progress.frames_drawn, 250);
+    EXPECT_EQ(progress.frames_simulated, 250);
+  }
 }
 
 // The script is saved anew, or gone, while its film is in the making.
@@ -286,6 +307,47 @@ TEST_F(Shoot, AWorkerThatIsKilledCostsItsFilmOnly) {
   EXPECT_EQ(outcomes[1].receipt->frames, 24);
   ASSERT_EQ(outcomes[1].receipt->verdicts.size(), 1U);
   EXPECT_EQ(outcomes[1].receipt->verdicts[0].text, shoot_it().verdicts[0].text);
+}
+
+// The processes that share a film end with the one that has it, and it with any of them.
+TEST_F(Shoot, WhoeverIsKilledOfThoseWhoShareAFilmNothingIsLeft) {
+  shoot_it();
+  const auto before = products_there();
+  FilmSettings settings = small();
+  settings.overrides = {"clip.frames=100000", "clip.substeps=1"};
+  const std::vector<Film> films{load_film(script, settings)};
+  for (const bool the_owner : {true, false}) {
+    bool killed = false;
+    const auto kill_one = [&] {
+      if (killed || progress.frames_drawn < 10) return true;
+      const std::string part = files_in(site).front();
+      const pid_t owner = std::stoi(part.substr(std::string(".bookspin-").size()));
+      const std::string id = std::to_string(owner);
+      std::istringstream children(read_text("/proc/" + id + "/task/" + id + "/children"));
+      pid_t helper = 0;
+      if (children >> helper) killed = kill(the_owner ? owner : helper, SIGKILL) == 0;
+      return true;
+    };
+    const std::vector<FilmOutcome> outcomes = shoot_all(films, site, project, 3, progress, kill_one);
+    EXPECT_TRUE(killed);
+    EXPECT_FALSE(outcomes[0].receipt.has_value());
+    EXPECT_THAT(outcomes[0].error, HasSubstr("ended by signal 9"));
+    EXPECT_EQ(products_there(), before);
+  }
+}
+
+TEST_F(Shoot, AFilmThatSeveralShareStopsWhenAsked) {
+  shoot_it();
+  const auto before = products_there();
+  FilmSettings settings = small();
+  settings.overrides = {"clip.frames=100000", "clip.substeps=1"};
+  const std::vector<Film> films{load_film(script, settings)};
+  const std::vector<FilmOutcome> outcomes =
+      shoot_all(films, site, project, 3, progress, [&] { return progress.frames_drawn < 10; });
+  EXPECT_FALSE(outcomes[0].receipt.has_value());
+  EXPECT_EQ(outcomes[0].error, "");
+  EXPECT_LT(progress.frames_drawn, 100000);
+  EXPECT_EQ(products_there(), before);
 }
 
 TEST_F(Shoot, AnUnmetExpectationIsFilmedAndReported) {

@@ -54,7 +54,8 @@ struct Shoot : testing::Test {
 
   FilmReceipt shoot_it(const Film& film, const std::stop_token& stop = {}) {
     Renderer renderer(film.width, film.height, project);
-    return shoot(film, site, renderer, progress, stop);
+    return shoot(
+        film, site, [&]() -> Renderer& { return renderer; }, progress, stop);
   }
 
   FilmReceipt shoot_it() { return shoot_it(load_film(script, small())); }

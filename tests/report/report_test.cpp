@@ -10,6 +10,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <stdexcept>
 
 #include "report/runs.h"
 #include "scratch.h"
@@ -31,6 +32,7 @@ std::vector<std::string> names_of(std::vector<Solver> solvers, Method odeint) {
 }
 const std::vector<std::string> rigid_methods = names_of(rigid_solvers(), Method::quaternion);
 const std::vector<std::string> spring_methods = names_of(spring_solvers(), Method::springs);
+const std::vector<std::string> odeint_methods = names_of({}, Method::springs);
 
 const std::size_t contenders = bookspin::contenders().size();
 
@@ -66,9 +68,26 @@ struct Report : testing::Test {
   inline static Json json;
 };
 
+TEST(AReport, IsRefusedBeforeItIsMeasuredWhereAFileOfTheUsersHasANameOfIts) {
+  const Scratch scratch;
+  write_text(scratch / "runs.csv", "mine");
+  bool measured = false;
+  EXPECT_THAT(
+      [&] {
+        make_report({scratch.folder(), BOOKSPIN_SOURCE_DIR, true}, [&](auto) { measured = true; });
+      },
+      testing::ThrowsMessage<std::runtime_error>(HasSubstr("runs.csv")));
+  EXPECT_FALSE(measured);
+  EXPECT_EQ(read_text(scratch / "runs.csv"), "mine");
+}
+
 TEST_F(Report, LeavesNothingHalfMade) {
+  const std::string page = read_text(folder / "index.html");
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string extension = entry.path().extension().string();
+    if (extension == ".csv" || extension == ".svg") {
+      EXPECT_THAT(page, HasSubstr('"' + entry.path().filename().string() + '"'));
+    }
     EXPECT_TRUE(extension == ".sha256" || extension == ".html" || extension == ".json" || extension == ".csv" ||
                 extension == ".svg")
         << entry.path();
@@ -116,6 +135,7 @@ TEST_F(Report, EveryTableHasEveryMethod) {
   for (const char* letter : {"a", "b", "c", "d"})
     EXPECT_EQ(methods_of(std::string("cheapest_") + letter), rigid_methods) << letter;
   EXPECT_EQ(methods_of("cheapest_springs"), spring_methods);
+  EXPECT_EQ(methods_of("cheapest_springs_one_by_one"), odeint_methods);
   EXPECT_EQ(json["flip_times"][0].size(), 2 + contenders);  // with the kick and theory
 }
 

@@ -204,6 +204,38 @@ TEST(FilmWriter, ChangedRectangleMayReachOverTheEdge) {
   EXPECT_EQ(bytes_of(folder / "over.mp4"), bytes_of(film(folder / "whole.mp4", scene, 5, true)));
 }
 
+TEST(FilmWriter, PiecesJoinToTheSameBytes) {
+  const auto folder = empty_folder("pieces");
+  const MovingBox scene{192, 108};
+  const FilmWriter::Settings settings{.width = 192, .height = 108, .fps = 60, .title = {}};
+  constexpr int frames = 6 * 60 + 7;
+  const auto write = [&](FilmWriter& writer, int first, int end) {
+    for (int k = first; k < end; ++k) {
+      const Image picture = scene.draw(k);
+      writer.write(picture, {k == first ? picture.bounds() : scene.changed(k)});
+    }
+  };
+  const Part odd(folder / "odd.piece"), even(folder / "even.piece");
+  for (const Part* piece : {&odd, &even}) {
+    FilmWriter its_writer(*piece, settings);
+    for (int first = piece == &odd ? 60 : 120; first < frames; first += 120)
+      write(its_writer, first, std::min(first + 60, frames));
+    its_writer.finish();
+  }
+  Part part(folder / "joined.mp4");
+  FilmWriter writer(part, settings);
+  ASSERT_EQ(writer.segment(), 60);
+  write(writer, 0, 60);
+  PieceReader from_odd(odd), from_even(even);
+  for (int first = 60; first < frames; first += 60)
+    writer.append(first % 120 == 0 ? from_even : from_odd, std::min(60, frames - first));
+  writer.finish();
+  publish({&part});
+  const auto whole = film(folder / "whole.mp4", scene, frames);
+  EXPECT_EQ(bytes_of(folder / "joined.mp4"), bytes_of(whole));
+  EXPECT_EQ(read_mp4_info(whole).frames, frames);
+}
+
 TEST(FilmWriter, SamePicturesGiveTheSameBytesInAnyThread) {
   const auto folder = empty_folder("threads");
   const MovingBox scene{192, 108};
