@@ -106,10 +106,11 @@ class Helper {
 // Several workers, this process and its helpers, take a film's segments by turns: neighbors cost alike. draw(share,
 // writer, look_around) draws those of a share and says by what. OpenGL is not yet begun here.
 template <class Draw>
-std::string draw_in_pieces(const fs::path& film, const FilmWriter::Settings& settings, FilmWriter& writer, int frames,
+std::string draw_in_pieces(const fs::path& film, FilmWriter::Settings settings, FilmWriter& writer, int frames,
                            int shares, const Draw& draw, const std::stop_token& stop) {
+  settings.piece = true;
   std::list<Part> pieces;
-  for (int i = 0; i < shares; ++i) pieces.emplace_back(fs::path(film).replace_extension("piece"), NamedBy::program);
+  for (int i = 0; i < shares; ++i) pieces.emplace_back(film, NamedBy::program);
   const auto draw_piece = [&](int share, const auto& look_around) {
     FilmWriter piece(*std::next(pieces.begin(), share), settings);
     std::string drawn_by = draw(share, &piece, look_around);

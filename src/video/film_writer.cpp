@@ -33,9 +33,9 @@ struct Format {
 constexpr const char* mp4_encoder_options =
     "preset=veryfast;profile=high;crf=23.3;x264-params=scenecut=0:cpu-independent=1:"
     "subme=2:mbtree=0:rc-lookahead=0:b-adapt=0:bframes=2:partitions=i4x4,i8x8,p8x8";
+constexpr Format piece_format{"", nullptr, "libx264", AV_PIX_FMT_YUV420P, mp4_encoder_options, ""};
 constexpr std::array formats{
     Format{".mp4", "mp4", "libx264", AV_PIX_FMT_YUV420P, mp4_encoder_options, "movflags=+faststart"},
-    Format{".piece", nullptr, "libx264", AV_PIX_FMT_YUV420P, mp4_encoder_options, ""},
     Format{".webm", "webm", "libvpx-vp9", AV_PIX_FMT_YUV420P, "crf=30;b=0;deadline=realtime;cpu-used=5", ""},
     Format{".gif", "gif", "gif", AV_PIX_FMT_PAL8, "", ""}};
 constexpr int seconds_of_a_segment = 1;  // of an MP4
@@ -116,7 +116,11 @@ struct FilmWriter::Film {
 };
 
 FilmWriter::Film::Film(const Part& part, Settings wanted)
-    : file(part.file()), path(part.path()), settings(std::move(wanted)), format(format_of(file)), every(1) {
+    : file(part.file()),
+      path(part.path()),
+      settings(std::move(wanted)),
+      format(settings.piece ? piece_format : format_of(file)),
+      every(1) {
   if (settings.width <= 0 || settings.height <= 0 || settings.width % 2 != 0 || settings.height % 2 != 0) {
     throw std::invalid_argument(file.string() + ": size " + size_text(settings.width, settings.height) +
                                 ": width and height of a film must be even and above 0");

@@ -26,7 +26,7 @@ namespace bookspin {
 [[nodiscard]] std::string encoder_version();  // of libavcodec
 [[nodiscard]] std::string mp4_settings();     // of the encoder: "key=value;key=value", as libavcodec reads them
 
-// What a writer of the same settings has finished in a part whose name ends in .piece: segments of an MP4.
+// What a writer of a piece of an MP4, of the same other settings, has finished: segments.
 class PieceReader {
  public:
   explicit PieceReader(const Part& piece);
@@ -43,10 +43,11 @@ class PieceReader {
 class FilmWriter {
  public:
   struct Settings {
-    int width = 1280;   // pixels, even
-    int height = 720;   // pixels, even
-    int fps = 60;       // frames a second
-    std::string title;  // as players show it; empty: none
+    int width = 1280;    // pixels, even
+    int height = 720;    // pixels, even
+    int fps = 60;        // frames a second
+    std::string title;   // as players show it; empty: none
+    bool piece = false;  // of an MP4, for a PieceReader, whatever the part's name
   };
 
   FilmWriter(const Part& part, const Settings& settings);

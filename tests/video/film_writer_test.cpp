@@ -215,9 +215,9 @@ TEST(FilmWriter, PiecesJoinToTheSameBytes) {
       writer.write(picture, {k == first ? picture.bounds() : scene.changed(k)});
     }
   };
-  const Part odd(folder / "odd.piece"), even(folder / "even.piece");
+  const Part odd(folder / "odd"), even(folder / "even");
   for (const Part* piece : {&odd, &even}) {
-    FilmWriter its_writer(*piece, settings);
+    FilmWriter its_writer(*piece, {.width = 192, .height = 108, .fps = 60, .title = {}, .piece = true});
     for (int first = piece == &odd ? 60 : 120; first < frames; first += 120)
       write(its_writer, first, std::min(first + 60, frames));
     its_writer.finish();
