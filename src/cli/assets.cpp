@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "files/files.h"
+
 namespace bookspin {
 
 namespace fs = std::filesystem;
@@ -45,7 +47,7 @@ std::optional<fs::path> find_live_module(const fs::path& assets) {
   std::error_code unknown;
   const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
   for (const fs::path& file : {program.parent_path() / "live" / "live.wasm", assets / "live" / "live.wasm"}) {
-    if (fs::is_regular_file(file)) return file;
+    if (is_file(file)) return file;
   }
   return {};
 }

@@ -215,7 +215,9 @@ int render_scenes(const Options& options) {
       good = good && unmet(r.verdicts) == 0;
       const double length = static_cast<double>(r.frames) / film.scene.clip.fps;
       print(fmt::format("{:34} {:21} {:>9}  {}\n", r.product.filename().string(),
-                        film.is_still() ? "    still" : fmt::format("{:5} frames {:6.2f} s", r.frames, length),
+                        film.is_still()
+                            ? "    still"
+                            : fmt::format("{:5} {:6} {:6.2f} s", r.frames, r.frames == 1 ? "frame" : "frames", length),
                         readable_size(r.bytes), met_of(r.verdicts)));
       print_verdicts(r.verdicts, false);
     }

@@ -187,7 +187,8 @@ const std::vector<Command> commands{
      {scenes_argument, text(&Options::folder, "-o,--output", "DIR", "Folder of the films (default: site)"), size_option,
       frames_option, format_option,
       [](auto& command, auto& options) {
-        add_number(command, "-j,--jobs", options.jobs, 1, 256, "Processes that film at the same time (default: one a core)");
+        add_number(command, "-j,--jobs", options.jobs, 1, 256,
+                   "Processes that film at the same time (default: one a core)");
       },
       flag(&Options::update, "--update",
            "Only films that are missing or damaged, made otherwise, of another script or by a program that draws "

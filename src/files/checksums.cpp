@@ -99,12 +99,12 @@ std::string text_of(const Checksums& checksums) {
 
 Checksums read_checksums(const fs::path& folder) {
   const fs::path file = folder / checksums_name;
-  return fs::is_regular_file(file) ? parse_checksums(read_file(file)) : Checksums();
+  return is_file(file) ? parse_checksums(read_file(file)) : Checksums();
 }
 
 bool is_as_listed(const Checksums& listed, const fs::path& file) {
   const auto entry = listed.find(file.filename().string());
-  return entry != listed.end() && fs::is_regular_file(file) && entry->second == sha256_of(file);
+  return entry != listed.end() && is_file(file) && entry->second == sha256_of(file);
 }
 
 bool is_own(const Checksums& listed, const fs::path& file) {

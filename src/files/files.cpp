@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
+#include <system_error>
 
 #include "files/descriptor.h"
 
@@ -18,6 +19,14 @@ namespace fs = std::filesystem;
 void throw_file_error(const fs::path& file, std::string_view what_failed, std::string_view reason) {
   const std::string text = reason.empty() ? std::strerror(errno) : std::string(reason);
   throw std::runtime_error(fmt::format("{}: {}: {}", file.string(), what_failed, text));
+}
+
+bool is_file(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::none && error != std::errc::too_many_symbolic_link_levels)
+    throw_file_error(path, "cannot be looked at", error.message());
+  return fs::is_regular_file(status);
 }
 
 std::string read_file(const fs::path& file) {

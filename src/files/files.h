@@ -19,6 +19,9 @@ namespace bookspin {
 [[noreturn]] void throw_file_error(const std::filesystem::path& file, std::string_view what_failed,
                                    std::string_view reason = {});
 
+// A regular file or a link to one; a link to itself is none.
+[[nodiscard]] bool is_file(const std::filesystem::path& path);
+
 // A regular file, of at most 256 MiB: nothing that bookspin reads whole is larger.
 [[nodiscard]] std::string read_file(const std::filesystem::path& file);
 

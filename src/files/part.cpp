@@ -222,7 +222,7 @@ void publish(const std::vector<Part*>& parts, const fs::path& obsolete) {
   const bool obsolete_is_ours = fs::is_regular_file(fs::symlink_status(obsolete)) && is_own(checksums, obsolete);
   checksums.erase(name_of(obsolete));
   if (obsolete_is_ours || !made.empty()) {
-    std::erase_if(checksums, [&](const auto& entry) { return !fs::exists(folder / entry.first); });
+    std::erase_if(checksums, [&](const auto& entry) { return !is_file(folder / entry.first); });
     made.merge(checksums);
     write_part(list, text_of(made));
     list.flush();
@@ -232,7 +232,7 @@ void publish(const std::vector<Part*>& parts, const fs::path& obsolete) {
   for (const Part* part : all) {
     struct stat found {};
     if (fstat(part->descriptor_, &found) != 0) throw_file_error(part->shown(), "cannot be renamed");
-    const bool replaces = fs::exists(part->file_);
+    const bool replaces = is_file(part->file_);
     steps.push_back({found.st_ino, name_of(part->file_), replaces ? name_of(private_name(folder, "old")) : ""});
   }
   if (obsolete_is_ours) steps.push_back({0, name_of(obsolete), name_of(private_name(folder, "old"))});

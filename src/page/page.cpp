@@ -28,7 +28,7 @@ std::vector<FilmRecord> films_in(const fs::path& site) {
   std::error_code error;
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(site, error)) {
-    if (entry.path().extension() == ".json" && entry.is_regular_file()) files.push_back(entry.path());
+    if (entry.path().extension() == ".json" && is_file(entry.path())) files.push_back(entry.path());
   }
   if (error) throw std::runtime_error(fmt::format("{}: cannot be listed: {}", site.string(), error.message()));
   std::sort(files.begin(), files.end());
@@ -37,7 +37,7 @@ std::vector<FilmRecord> films_in(const fs::path& site) {
     std::optional<FilmRecord> film = read_film_record(file);
     if (!film) continue;
     for (const std::string& product : {film->poster, film->film}) {
-      if (!fs::is_regular_file(site / product) && !product.empty()) {
+      if (!is_file(site / product) && !product.empty()) {
         throw std::runtime_error(
             fmt::format("{}: is missing; `bookspin render {}.toml` makes it", (site / product).string(), film->name));
       }
@@ -163,7 +163,7 @@ Json film_context(const fs::path& site, const FilmRecord& film, const std::strin
 // The report's table of speed against error, if there is one.
 Json speed_in(const fs::path& report) {
   Json speed;
-  if (!fs::exists(report)) return speed;
+  if (!is_file(report)) return speed;
   const Json json = Json::parse(read_file(report), nullptr, false);
   if (!json.is_object() || !json.contains("cheapest_a")) return speed;
   speed = {
@@ -266,7 +266,7 @@ PageReceipt write_page(const PageOrder& order) {
                {"story", story},
                {"films", Json::object()},
                {"more", Json::array()}};
-  context["report"] = fs::exists(order.site / "report" / "index.html");
+  context["report"] = is_file(order.site / "report" / "index.html");
   context["speed"] = speed_in(order.site / "report" / "report.json");
   if (order.live) context["live"] = live_context(*order.live, films, order.templates);
   for (const auto& entry : fs::directory_iterator(order.templates)) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "files/checksums.h"
+#include "files/files.h"
 #include "files/part.h"
 #include "page/film_record.h"
 
@@ -16,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string damage_of(const fs::path& file, const Checksums& listed) {
-  if (!fs::exists(file)) return "is missing";
+  if (!is_file(file)) return "is missing";
   if (!listed.contains(file.filename().string())) return fmt::format("is not listed in {}", checksums_name);
   return is_as_listed(listed, file) ? "" : "is not as it was made";
 }
@@ -56,7 +57,7 @@ std::vector<Finding> verify(const fs::path& folder) {
   std::vector<Finding> findings;
   std::set<std::string> of_films;
   for (const auto& [name, digest] : listed) {
-    if (fs::path(name).extension() != ".json" || !fs::is_regular_file(folder / name)) continue;
+    if (fs::path(name).extension() != ".json" || !is_file(folder / name)) continue;
     try {
       const std::optional<FilmRecord> film = read_film_record(folder / name);
       if (!film) continue;

@@ -82,9 +82,11 @@ TEST_F(Verify, AnUnmetClaimIsSaid) {
 }
 
 TEST_F(Verify, AFolderWithoutAListIsRefused) {
+  const auto is_refused = ThrowsMessage<std::runtime_error>(HasSubstr("bookspin.sha256 is missing or empty"));
   fs::remove(scratch / checksums_name);
-  EXPECT_THAT([&] { (void)verify(scratch.folder()); },
-              ThrowsMessage<std::runtime_error>(HasSubstr("bookspin.sha256 is missing or empty")));
+  EXPECT_THAT([&] { (void)verify(scratch.folder()); }, is_refused);
+  fs::create_symlink(checksums_name, scratch / checksums_name);  // to itself
+  EXPECT_THAT([&] { (void)verify(scratch.folder()); }, is_refused);
 }
 
 }  // namespace
