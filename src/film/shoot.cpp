@@ -190,7 +190,9 @@ FilmReceipt shoot(const Film& film, const fs::path& folder, const GetRenderer& g
                   const std::stop_token& stop, int workers) {
   const Products names = prepare(film, folder);
   PartsOfFilm parts(film, names);
-  auto& [mp4, poster, data] = parts;
+  std::optional<Part>& mp4 = parts.mp4;
+  Part& poster = parts.poster;
+  Part& data = parts.data;
   const FilmWriter::Settings settings{film.width, film.height, film.scene.clip.fps, film.scene.title};
   std::optional<FilmWriter> writer;
   if (mp4) writer.emplace(*mp4, settings);

@@ -90,7 +90,7 @@ struct FilmWriter::Film {
   std::filesystem::path path;  // where it is written
   Settings settings;
   const Format& format;
-  int every;  // of the pictures given, one in so many is a frame
+  int every = 1;  // of the pictures given, one in so many is a frame
   Libav<AVFormatContext> muxer;
   Libav<AVIOContext> piece;  // instead of the muxer
   Libav<AVCodecContext> encoder;
@@ -119,8 +119,7 @@ FilmWriter::Film::Film(const Part& part, Settings wanted)
     : file(part.file()),
       path(part.path()),
       settings(std::move(wanted)),
-      format(settings.piece ? piece_format : format_of(file)),
-      every(1) {
+      format(settings.piece ? piece_format : format_of(file)) {
   if (settings.width <= 0 || settings.height <= 0 || settings.width % 2 != 0 || settings.height % 2 != 0) {
     throw std::invalid_argument(file.string() + ": size " + size_text(settings.width, settings.height) +
                                 ": width and height of a film must be even and above 0");
