@@ -146,13 +146,13 @@ void add_polhode(Shot& shot, const BookSetup& setup, const BookTrack& track, std
     const double flat = gap > 0.0 ? std::abs(I(axis) - I(middle)) / gap : 1.0;
     for (int k = 1; k <= (axis == axes[0] ? rings : rings - 1); ++k) {
       for (const double side : {-1.0, 1.0}) {
-        const auto ring = around([&, axis = axis, other = other](double phase) {
+        const auto ring = around([&, along = axis, across = other](double phase) {
           Eigen::Vector3d w_B;
           w_B(middle) = std::sin(phase) * k / rings / std::sqrt(I(middle));
-          w_B(other) = std::cos(phase) * k / rings * std::sqrt(flat / I(other));
-          w_B(axis) = 0.0;
+          w_B(across) = std::cos(phase) * k / rings * std::sqrt(flat / I(across));
+          w_B(along) = 0.0;
           const double rest = 1.0 - (I * w_B.array().square()).sum();
-          w_B(axis) = side * std::sqrt(std::max(0.0, rest) / I(axis));
+          w_B(along) = side * std::sqrt(std::max(0.0, rest) / I(along));
           return w_B;
         });
         if (k == rings) {

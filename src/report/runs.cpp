@@ -109,7 +109,7 @@ nlohmann::json winners(const Ladders& ladders, bool stepping) {
   nlohmann::json list = nlohmann::json::array();
   for (const auto& [text, error] : asked) {
     const auto [solver, run] = least(ladders, stepping, &Run::ns_per_time,
-                                     [error = error](const Ladder& ladder) { return ladder.cheapest(error); });
+                                     [within = error](const Ladder& ladder) { return ladder.cheapest(within); });
     if (run.error <= error) list.push_back({{"error", error}, {"name", name_of(solver)}, {"ns", run.ns_per_time}});
   }
   return list;

@@ -55,7 +55,7 @@ TEST(Advise, WhatIsWithinTheErrorIsSoInTheFilmAndTakesAsFewStepsAsItCan) {
       coarser.substeps = c.substeps * 2 / 3;
       EXPECT_GT(error_of(scene, coarser), error) << name_of(c.solver);
     }
-    const Candidate& rk4 = of(advice, {Method::quaternion, Integrator::rk4});
+    const Candidate rk4 = of(advice, {Method::quaternion, Integrator::rk4});
     EXPECT_LE(rk4.error, error);
     EXPECT_GT(rk4.substeps, fewest);  // 1, then 4: a smaller error takes more
     fewest = rk4.substeps;
@@ -73,7 +73,7 @@ TEST(Advise, BooksWithOneStartShareItAndSpringsReachNoSmallError) {
   }
   EXPECT_EQ(together[0].books, (std::vector<std::size_t>{0, 1}));
   EXPECT_EQ(together[0].errors[0], error_of(scene, {{Method::matrix}, 0, 3}));
-  const Candidate& springs = of(together[0], {Method::springs});
+  const Candidate springs = of(together[0], {Method::springs});
   EXPECT_EQ(springs.book, 1U);
   EXPECT_GT(springs.error, 1e-6);  // measured 2e-3: the model's
   Scene apart = scene;
