@@ -16,11 +16,10 @@ namespace bookspin {
 namespace {
 
 // Chosen among some 30 settings, the last on 120 frames of each film in videos/ at 1280x720, by `make bench`. Against
-// veryfast at a rate factor of 20 these take 0.56 to 0.63 of the time and 1.09 times the bytes, at 0.12 dB less (of 43.4,
-// luma).
-// Tumbling books are large surfaces in even motion: what looks ahead (mbtree, lookahead, adaptive B pictures) costs a
-// third and finds little, as do blocks of 8x8 in B pictures. A motion search by whole pixels (subme=1) takes 0.9 of that
-// time, for 1.19 times the bytes at 0.3 dB less. The preset "superfast" triples the bytes.
+// veryfast at a rate factor of 20 these take 0.56 to 0.63 of the time and 1.09 times the bytes, at 0.12 dB less (luma, of
+// 43.4). Tumbling books are large surfaces in even motion: what looks ahead (mbtree, lookahead, adaptive B pictures)
+// costs a third and finds little, as do blocks of 8x8 in B pictures. A motion search by whole pixels (subme=1) takes 0.9
+// of that time, for 1.19 times the bytes at 0.3 dB less. The preset "superfast" triples the bytes.
 //
 // No scene cuts: key frames fall on whole seconds and nowhere else. cpu-independent: the same bytes on every machine.
 struct Format {
