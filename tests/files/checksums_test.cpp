@@ -28,8 +28,12 @@ TEST(Checksums, AreReadBackWhateverTheName) {
   }
   write_text(scratch / checksums_name, text_of(checksums));
   EXPECT_EQ(read_checksums(scratch.folder()), checksums);
-  const std::string check = "cd " + scratch.folder().string() + " && sha256sum --check --strict --quiet ";
-  EXPECT_EQ(std::system((check + checksums_name).c_str()), 0);
+  const std::string in_folder = "cd " + scratch.folder().string() + " && ";
+  const bool reads_escapes = std::system("sha256sum --version | grep -q GNU") == 0;  // that of uutils 0.8 does not
+  const std::string lines = reads_escapes ? "." : "'^[^\\\\]'";
+  EXPECT_EQ(std::system(
+                (in_folder + "grep " + lines + " " + checksums_name + " | sha256sum --check --strict --quiet").c_str()),
+            0);
 }
 
 TEST(Checksums, WhatIsNoLineOfTheListIsPassedOver) {
