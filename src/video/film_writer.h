@@ -2,8 +2,8 @@
 // part whose name ends in .webm as VP9, in .gif as a GIF of at most 25 frames a second: every second, third ... picture.
 //
 // H.264 High, yuv420p, BT.709 in limited range, a closed group of pictures and a key frame each second, index first.
-// Every second one begins a segment, whose bytes do not depend on what was before: a film may be written in pieces, each
-// of whole segments but for its end, and joined to the same bytes.
+// Each key frame begins a segment, whose bytes do not depend on what was before: a film may be written in pieces, each of
+// whole segments but for the film's end, and joined to the same bytes.
 // It is written into a Part, which must outlive the writer, and which the caller publishes after finish(). The same
 // pictures give the same bytes, on any CPU and beside any number of other writers (one thread a writer, any thread).
 // Throws std::invalid_argument for odd or empty sizes, a picture of another size, a film without

@@ -123,6 +123,12 @@ FilmSettings of_eight_segments_and_a_bit() {  // of 30 frames
   return settings;
 }
 
+FilmSettings for_minutes() {
+  FilmSettings settings = small();
+  settings.overrides = {"clip.frames=100000", "clip.substeps=1"};
+  return settings;
+}
+
 TEST_F(Shoot, WorkersWhoShareAFilmMakeTheSameBytes) {
   const std::vector<Film> films{load_film(script, of_eight_segments_and_a_bit())};
   ASSERT_EQ(shoot_all(films, site, project, 1, progress)[0].error, "");
@@ -285,9 +291,7 @@ TEST_F(Shoot, OneBadFilmDoesNotStopTheOthers) {
 
 // As by the system when memory runs out. The name of a part says which process writes it.
 TEST_F(Shoot, AWorkerThatIsKilledCostsItsFilmOnly) {
-  FilmSettings settings = small();
-  settings.overrides = {"clip.frames=100000", "clip.substeps=1"};
-  std::vector<Film> films{load_film(script, settings)};
+  std::vector<Film> films{load_film(script, for_minutes())};
   write_text(scratch / "other.toml", tumbling);
   films.push_back(load_film(scratch / "other.toml", small()));
   bool killed = false;
@@ -313,9 +317,7 @@ TEST_F(Shoot, AWorkerThatIsKilledCostsItsFilmOnly) {
 TEST_F(Shoot, WhoeverIsKilledOfThoseWhoShareAFilmNothingIsLeft) {
   shoot_it();
   const auto before = products_there();
-  FilmSettings settings = small();
-  settings.overrides = {"clip.frames=100000", "clip.substeps=1"};
-  const std::vector<Film> films{load_film(script, settings)};
+  const std::vector<Film> films{load_film(script, for_minutes())};
   for (const bool the_owner : {true, false}) {
     bool killed = false;
     const auto kill_one = [&] {
@@ -339,9 +341,7 @@ TEST_F(Shoot, WhoeverIsKilledOfThoseWhoShareAFilmNothingIsLeft) {
 TEST_F(Shoot, AFilmThatSeveralShareStopsWhenAsked) {
   shoot_it();
   const auto before = products_there();
-  FilmSettings settings = small();
-  settings.overrides = {"clip.frames=100000", "clip.substeps=1"};
-  const std::vector<Film> films{load_film(script, settings)};
+  const std::vector<Film> films{load_film(script, for_minutes())};
   const std::vector<FilmOutcome> outcomes =
       shoot_all(films, site, project, 3, progress, [&] { return progress.frames_drawn < 10; });
   EXPECT_FALSE(outcomes[0].receipt.has_value());
