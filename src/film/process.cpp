@@ -38,6 +38,10 @@ constexpr char returned = 'r', threw = 't';  // the first byte of what is said
   try {
     said = returned + work(source.get_token());
   } catch (const std::exception& error) {
+    if (source.stop_requested()) {  // all is taken back: now as the signal would have it
+      pthread_sigmask(SIG_UNBLOCK, &term, nullptr);
+      std::raise(SIGTERM);
+    }
     said = std::string(1, threw) + error.what();
   }
   for (std::size_t at = 0; at < said.size();) {

@@ -245,11 +245,7 @@ std::vector<FilmOutcome> shoot_all(std::span<const Film> films, const fs::path& 
     const auto get = [&]() -> Renderer& {
       return renderer ? *renderer : renderer.emplace(film.width, film.height, assets);
     };
-    try {
-      return text_of(shoot(film, folder, get, *shared, stop, share));
-    } catch (const Stopped&) {
-      return "";
-    }
+    return text_of(shoot(film, folder, get, *shared, stop, share));
   };
   const auto cost = [&films](std::size_t i) {
     return static_cast<std::size_t>(films[i].frames()) * (films[i].scene.books.size() + 2);
@@ -295,7 +291,7 @@ std::vector<FilmOutcome> shoot_all(std::span<const Film> films, const fs::path& 
         continue;
       }
       try {
-        if (const std::string receipt = process.result(); !receipt.empty()) outcomes[i].receipt = receipt_of(receipt);
+        outcomes[i].receipt = receipt_of(process.result());
       } catch (const std::runtime_error& error) {
         if (!stopping) outcomes[i].error = error.what();
       }
