@@ -278,6 +278,7 @@ void beside_ffmpeg(const fs::path& folder, Bench& bench) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // a row when it is measured, into a file too
   const fs::path script = argc > 1 ? fs::path(argv[1]) : project / "videos" / "fig05_unstable_x.toml";
   const fs::path folder = fs::temp_directory_path() / fmt::format("bookspin-bench-{}", getpid());
   fs::create_directories(folder);

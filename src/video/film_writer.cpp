@@ -15,11 +15,11 @@
 namespace bookspin {
 namespace {
 
-// Chosen among some 30 settings, the last on 120 frames of each film in videos/ at 1280x720, by `make bench`. Against
-// veryfast at a rate factor of 20 these take 0.56 to 0.63 of the time and 1.09 times the bytes, at 0.12 dB less (luma, of
-// 43.4). Tumbling books are large surfaces in even motion: what looks ahead (mbtree, lookahead, adaptive B pictures)
-// costs a third and finds little, as do blocks of 8x8 in B pictures. A motion search by whole pixels (subme=1) takes 0.9
-// of that time, for 1.19 times the bytes at 0.3 dB less. The preset "superfast" triples the bytes.
+// Chosen among some 60 settings, the last on 120 frames of each film in videos/ at 1280x720, by `make bench`. Against
+// veryfast at a rate factor of 20 these take 0.56 of the time and 1.15 times the bytes, at 0.2 dB less (luma, of 43.4).
+// Tumbling books are large surfaces in even motion: what looks ahead (mbtree, lookahead, adaptive B pictures, weights)
+// costs a third and finds little, as do the wider search and motion by blocks of 8x8 (with these 0.57 and 1.11). Motion
+// by whole pixels (subme=1) takes 0.51, for 1.23 times the bytes at 0.3 dB less. The preset "superfast" triples them.
 //
 // No scene cuts: key frames fall on whole seconds and nowhere else. cpu-independent: the same bytes on every machine.
 struct Format {
@@ -31,8 +31,8 @@ struct Format {
   const char* muxer_options;
 };
 constexpr const char* mp4_encoder_options =
-    "preset=veryfast;profile=high;crf=23.3;x264-params=scenecut=0:cpu-independent=1:"
-    "subme=2:mbtree=0:rc-lookahead=0:b-adapt=0:bframes=2:partitions=i4x4,i8x8,p8x8";
+    "preset=veryfast;profile=high;crf=22.9;x264-params=scenecut=0:cpu-independent=1:"
+    "subme=2:me=dia:mbtree=0:rc-lookahead=0:weightp=0:b-adapt=0:bframes=3:partitions=i4x4,i8x8";
 constexpr Format piece_format{"", nullptr, "libx264", AV_PIX_FMT_YUV420P, mp4_encoder_options, ""};
 constexpr std::array formats{
     Format{".mp4", "mp4", "libx264", AV_PIX_FMT_YUV420P, mp4_encoder_options, "movflags=+faststart"},
