@@ -36,8 +36,7 @@ pid_t start(const fs::path& folder, std::vector<const char*> arguments, const ch
   std::signal(SIGTERM, SIG_DFL);
   std::signal(SIGHUP, on_hangup);
   fs::current_path(folder);
-  std::freopen(output, "w", stdout);
-  std::freopen(error, "w", stderr);
+  if (std::freopen(output, "w", stdout) == nullptr || std::freopen(error, "w", stderr) == nullptr) _exit(126);
   arguments.insert(arguments.begin(), "bookspin");
   arguments.push_back(nullptr);
   execv((std::string(BOOKSPIN_BINARY_DIR) + "/bookspin").c_str(), const_cast<char* const*>(arguments.data()));

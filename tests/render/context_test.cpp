@@ -9,6 +9,7 @@
 #include "image/compare.h"
 #include "poses.h"
 #include "render/renderer.h"
+#include "tolerance.h"
 
 namespace bookspin {
 namespace {
@@ -37,12 +38,12 @@ TEST(Context, OsmesaAndEglDrawTheSamePicture) {
     EXPECT_EQ(from_osmesa.rgba, from_egl.rgba);
     return;
   }
-  const GoldenTolerance tolerance;
-  const ImageDelta delta = compare(from_osmesa, from_egl, tolerance.threshold);
+  const GoldenTolerance bound;
+  const ImageDelta delta = compare(from_osmesa, from_egl, bound.threshold);
   EXPECT_TRUE(delta.same_size);
-  EXPECT_LE(delta.max_delta, tolerance.max_delta) << osmesa->description() << ", " << egl->description();
-  EXPECT_LE(delta.mean_delta, tolerance.mean_delta);
-  EXPECT_LE(delta.share_above, tolerance.share);
+  EXPECT_LE(delta.max_delta, tolerance(bound.max_delta)) << osmesa->description() << ", " << egl->description();
+  EXPECT_LE(delta.mean_delta, tolerance(bound.mean_delta));
+  EXPECT_LE(delta.share_above, tolerance(bound.share));
 }
 
 }  // namespace
