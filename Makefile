@@ -62,6 +62,6 @@ everything: configured
 program: configured
 	cmake --build build --target bookspin
 configured: packages  # not by the preset: a cmake that is too old would not find it, instead of saying that it is too old
-	@cmake -S . -B build -G Ninja --log-level=WARNING >/dev/null
+	@cmake -S . -B build -G Ninja -DCMAKE_UNITY_BUILD=ON --log-level=WARNING >/dev/null
 packages:
 	@./install-packages

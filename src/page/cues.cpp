@@ -16,7 +16,7 @@ using Book = FilmRecord::Book;
 using Cue = FilmRecord::Cue;
 using Frames = std::vector<bool>;  // one a frame of the clip: whether it holds there
 
-constexpr double readable = 1.0;           // seconds that a cue stands at least
+constexpr double least_seconds = 1.0;      // seconds that a cue stands at least
 constexpr double longest = 5.0;            // seconds
 constexpr double most_pulsations = 100.0;  // that are told
 constexpr double vibration_seconds = 0.5;  // of the film, a period of any vibration and more
@@ -158,7 +158,7 @@ std::vector<Cue> found_in(const FilmRecord& film) {
   for (const Statement& statement : statements) add_runs(runs, statement, film);
   std::stable_sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.first < b.first; });
 
-  const int least = static_cast<int>(readable * film.fps);
+  const int least = static_cast<int>(least_seconds * film.fps);
   std::vector<Run> told;
   for (Run run : runs) {
     const bool is_explosion = run.statement == &statements.back();

@@ -31,8 +31,8 @@ class Value {
     std::string found = json_->is_object()  ? "an object"
                         : json_->is_array() ? fmt::format("a list of {}", json_->size())
                                             : json_->dump(-1, ' ', true);
-    constexpr std::size_t longest = 60;
-    if (found.size() > longest) found.replace(longest, found.npos, "...");
+    constexpr std::size_t most = 60;
+    if (found.size() > most) found.replace(most, found.npos, "...");
     fail(fmt::format("found {}; allowed: {}", found, allowed));
   }
 

@@ -57,13 +57,8 @@ FrameCost frame_cost(const Scene& scene, const FrameCostOrder& order) {
           .renderer = renderer.description()};
 }
 
-namespace {
-
-constexpr double frame = 0.5;  // of the paper's films of rotation: simulated time
-
-}  // namespace
-
 void frame_costs(Draft& draft) {
+  constexpr double frame = 0.5;  // of the paper's films of rotation: simulated time
   FrameCostOrder order{1280, 720, 240, 2, draft.order.project, draft.order.folder};
   if (draft.effort.quick) order = {320, 180, 20, 1, draft.order.project, draft.order.folder};
   const Scene scene = load_scene(draft.order.project / "videos" / "fig05_unstable_x.toml");

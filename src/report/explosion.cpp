@@ -86,16 +86,16 @@ struct Explosion {
 };
 
 // Frames of 0.1, books that spin at 0.6 about z (Figure 7) and 0.7 about x (Figure 8).
-constexpr double frame = 0.1;
+constexpr double time_per_frame = 0.1;
 
 Explosion explosion_at(double substeps, bool damped, bool quick) {
-  const double h = frame / substeps;
+  const double h = time_per_frame / substeps;
   BookOptions options{.normalize_every = 0, .damping = damped ? 1.0 : 0.0};
   options.omega_W = damped ? Eigen::Vector3d(0.0, 0.0, 0.6) : Eigen::Vector3d(0.7, 0.0, 0.0);
   const double predicted = damped ? predicted_damped_explosion(options, h) : predicted_undamped_explosion(options, h);
   const long most = 1000 + static_cast<long>(6.0 * predicted / h);
   const long steps = quick && most >= 1'000'000 ? -1 : steps_to_explosion(options, h, most);
-  return {substeps, damped, predicted, steps < 0 ? none : static_cast<double>(steps) * frame / substeps};
+  return {substeps, damped, predicted, steps < 0 ? none : static_cast<double>(steps) * time_per_frame / substeps};
 }
 
 std::vector<Explosion> explosions(bool quick) {
@@ -138,8 +138,8 @@ void explosion(Draft& draft) {
       {"substeps a frame", "springs", "predicted time", "measured time", "measured / predicted", "measured frames"},
       {}};
   for (const auto& [substeps, damped, predicted, measured] : rows)
-    table.rows.push_back(
-        {substeps, damped ? "damped" : "undamped", predicted, measured, measured / predicted, measured / frame});
+    table.rows.push_back({substeps, damped ? "damped" : "undamped", predicted, measured, measured / predicted,
+                          measured / time_per_frame});
   Plot plot{"substeps a frame of 0.1", "time to explosion"};
   plot.more = {"set key inside left top"};
   for (const bool damped : {true, false})

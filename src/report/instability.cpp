@@ -12,8 +12,8 @@
 namespace bookspin {
 namespace {
 
-constexpr double spin = 0.11482;  // of the paper's book, about x
-constexpr double h = 0.1 / 6.0;   // of the paper's program
+constexpr double spin = 0.11482;         // of the paper's book, about x
+constexpr double time_step = 0.1 / 6.0;  // of the paper's program
 constexpr int steps_a_sample = 6;
 
 BookOptions book(const Solver& solver, double kick) {
@@ -24,21 +24,21 @@ BookOptions book(const Solver& solver, double kick) {
 // 0.1. In the axes of the corners, whatever the book.
 double flip_time(const Solver& solver, const BookOptions& options, double most) {
   const Corners corners_B = body_of(options).corners_B;
-  const auto samples = static_cast<long>(std::ceil(most / (steps_a_sample * h)));
+  const auto samples = static_cast<long>(std::ceil(most / (steps_a_sample * time_step)));
   AnyBook any = make_book(solver.method, options);
   return std::visit(
       [&](auto& book) {
         double t_before = 0.0;
         double before = 0.0;
         for (long n = 0; n <= samples; ++n) {
-          const double t = static_cast<double>(n) * steps_a_sample * h;
+          const double t = static_cast<double>(n) * steps_a_sample * time_step;
           if constexpr (requires { book.move_to(t); }) book.move_to(t);
           const double L =
               (best_fit_orientation(book.corners_W(), corners_B).conjugate() * book.angular_momentum_W()).x();
           if (L <= 0.0) return t_before + (t - t_before) * before / (before - L);
           t_before = t;
           before = L;
-          if constexpr (requires { book.step(h); }) book.step(h, steps_a_sample);
+          if constexpr (requires { book.step(time_step); }) book.step(time_step, steps_a_sample);
         }
         return none;
       },

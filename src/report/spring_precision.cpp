@@ -20,7 +20,7 @@
 namespace bookspin {
 namespace {
 
-using State = std::array<double, 24>;  // positions, velocities of half the corners: SpringBook::Half, twice
+using SpringVector = std::array<double, 24>;  // positions, velocities of half the corners: SpringBook::Half, twice
 using HalfCorners = Eigen::Matrix<double, 4, 3>;
 using ConstCorners = Eigen::Map<const Corners>;
 using Motion = std::vector<Corners>;  // one a sample
@@ -29,7 +29,7 @@ using Motion = std::vector<Corners>;  // one a sample
 struct HalvedSystem {
   SpringBook book;
 
-  void operator()(const State& s, State& d, double /*t*/) const {
+  void operator()(const SpringVector& s, SpringVector& d, double /*t*/) const {
     SpringBook::Half x, v;
     std::copy_n(s.begin(), x.size(), x.begin());
     std::copy_n(s.begin() + x.size(), v.size(), v.begin());
@@ -59,7 +59,7 @@ Corners corners_of(const auto& book) {
 Corners corners_of(const WholeState& state) {
   return ConstCorners(state.data());
 }
-Corners corners_of(const State& state) {
+Corners corners_of(const SpringVector& state) {
   const Eigen::Matrix<double, 3, 4> half = Eigen::Map<const HalfCorners>(state.data()).transpose();
   Corners corners;
   corners << half, -half.rowwise().reverse();
@@ -125,7 +125,7 @@ AgainstTheirOwnMotion against_their_own_motion(const Motion& expected, const Eff
   auto [ladders, whole] = AgainstTheirOwnMotion();
   climb_all(spring_solvers(), options, course, effort, ladders, error);
   const HalvedSystem system{SpringBook(options)};
-  State start{};
+  SpringVector start{};
   Eigen::Map<HalfCorners>(start.data()) = system.book.corners_W().leftCols<4>().transpose();
   Eigen::Map<HalfCorners>(start.data() + 12) = system.book.velocities_W().leftCols<4>().transpose();
   climb_odeint(Method::springs, start, system, 0.01, course, effort, ladders, error);

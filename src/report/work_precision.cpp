@@ -17,12 +17,12 @@
 namespace bookspin {
 namespace {
 
-using State = std::array<double, 7>;  // q (w, x, y, z), L_B
+using RigidVector = std::array<double, 7>;  // q (w, x, y, z), L_B
 
 struct FreeBody {
   Eigen::Vector3d inverse_I_B;
 
-  void operator()(const State& s, State& d, double /*t*/) const {
+  void operator()(const RigidVector& s, RigidVector& d, double /*t*/) const {
     const double p = s[4] * inverse_I_B.x();
     const double q = s[5] * inverse_I_B.y();
     const double r = s[6] * inverse_I_B.z();
@@ -56,7 +56,7 @@ struct Exact {
 template <class Book>
 double angle_from(const Book& book, const Eigen::Quaterniond& expected) {
   Eigen::Quaterniond q(std::nan(""), 0.0, 0.0, 0.0);  // springs: no rigid case is theirs
-  if constexpr (std::is_same_v<Book, State>) {
+  if constexpr (std::is_same_v<Book, RigidVector>) {
     q = {book[0], book[1], book[2], book[3]};
   } else if constexpr (std::is_same_v<Book, RigidState>) {
     q = book.q_WB;
@@ -77,7 +77,7 @@ Ladders all_ladders(const RigidCase& c, const Effort& effort) {
   const auto exact = [&] { return Exact{motion_of(c), course.interval()}; };
   Ladders ladders{{exact_solver, {measure(0.0, course, effort, exact, error)}}};
   climb_all(rigid_solvers(), options, course, effort, ladders, error);
-  climb_odeint(Method::quaternion, State{1.0, 0.0, 0.0, 0.0, c.L_W.x(), c.L_W.y(), c.L_W.z()},
+  climb_odeint(Method::quaternion, RigidVector{1.0, 0.0, 0.0, 0.0, c.L_W.x(), c.L_W.y(), c.L_W.z()},
                FreeBody{c.I_B.cwiseInverse()}, std::min(course.interval(), 0.1 / omega), course, effort, ladders,
                error);
   return ladders;
