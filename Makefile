@@ -1,7 +1,7 @@
 # The front door. Each target works alone on a fresh Debian: it installs what is missing, builds, and runs.
 
 .NOTPARALLEL:  # two builds in one folder break it; each build uses every core by itself
-.PHONY: figures gallery test page report bench golden package matrix sanitize clean
+.PHONY: figures gallery test page report bench golden package matrix sanitize sanitize-readers coverage clean
 
 # Every film, the course page around them, and where there is no report one made in seconds, to which the page links: videos/site/.
 figures: program
@@ -53,8 +53,22 @@ sanitize: packages
 	cmake --build build-sanitize
 	ctest --preset sanitize -E page_browser
 
+# Of these, what reads files that others wrote: checked with every submission.
+sanitize-readers: packages
+	cmake --preset sanitize --log-level=WARNING >/dev/null
+	cmake --build build-sanitize --target files_tests image_tests page_tests fuzz_script fuzz_data fuzz_png
+	ctest --preset sanitize -R '^(files|image|page|fuzz_.*)$$'
+
+# How much of the physics and of the scenes their own tests run: at least 95 % of the lines.
+coverage: packages
+	cmake -S . -B build-coverage -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG='--coverage -O1' --log-level=WARNING >/dev/null
+	@echo gcovr >build-coverage/tools && ./install-packages build-coverage/tools
+	cmake --build build-coverage --target dynamics_tests scene_tests
+	ctest --test-dir build-coverage --output-on-failure -R '^(dynamics|scene)$$'
+	gcovr --filter src/dynamics/ --filter src/scene/ --fail-under-line 95 build-coverage
+
 clean:
-	rm -rf build build-debug build-sanitize videos/site
+	rm -rf build build-coverage build-debug build-sanitize videos/site
 
 .PHONY: everything program configured packages
 everything: configured
