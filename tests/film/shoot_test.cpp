@@ -318,8 +318,7 @@ TEST_F(Shoot, WhoeverIsKilledOfThoseWhoShareAFilmNothingIsLeft) {
   shoot_it();
   const auto before = products_there();
   const std::vector<Film> films{load_film(script, for_minutes())};
-  for (const auto& [the_owner, signal] :
-       {std::pair(true, SIGKILL), {false, SIGKILL}, {true, SIGTERM}, {false, SIGTERM}}) {
+  const auto kills = [&](bool the_owner, int number) {
     bool killed = false;
     const auto kill_one = [&] {
       if (killed || progress.frames_drawn < 10) return true;
@@ -328,14 +327,17 @@ TEST_F(Shoot, WhoeverIsKilledOfThoseWhoShareAFilmNothingIsLeft) {
       const std::string id = std::to_string(owner);
       std::istringstream children(read_text("/proc/" + id + "/task/" + id + "/children"));
       pid_t helper = 0;
-      if (children >> helper) killed = kill(the_owner ? owner : helper, signal) == 0;
+      if (children >> helper) killed = kill(the_owner ? owner : helper, number) == 0;
       return true;
     };
     const std::vector<FilmOutcome> outcomes = shoot_all(films, site, project, 3, progress, kill_one);
     EXPECT_TRUE(killed);
     EXPECT_FALSE(outcomes[0].receipt.has_value());
-    EXPECT_THAT(outcomes[0].error, HasSubstr("ended by signal " + std::to_string(signal)));
+    EXPECT_THAT(outcomes[0].error, HasSubstr("ended by signal " + std::to_string(number)));
     EXPECT_EQ(products_there(), before);
+  };
+  for (const int number : {SIGKILL, SIGTERM}) {
+    for (const bool the_owner : {true, false}) kills(the_owner, number);
   }
 }
 
