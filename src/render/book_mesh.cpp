@@ -8,15 +8,15 @@
 namespace bookspin {
 namespace {
 
-constexpr double width = 1.878, height = 2.9085, thickness = 0.5;
-constexpr double overhang_x = 0.05 / width;  // boards stand out over the pages
-constexpr double overhang_y = 0.05 / height;
-constexpr double board = 0.042 / thickness;     // thickness of a board
-constexpr double shell = 0.030 / width;         // thickness of the spine
-constexpr double bulge = 0.105 / width;         // depth of the spine's round
-constexpr double groove_width = 0.085 / width;  // the hinge beside the spine
-constexpr double groove_depth = 0.020 / thickness;
-constexpr double fore_edge_hollow = 0.045 / width;
+constexpr double book_width = 1.878, book_height = 2.9085, book_thickness = 0.5;
+constexpr double overhang_x = 0.05 / book_width;  // boards stand out over the pages
+constexpr double overhang_y = 0.05 / book_height;
+constexpr double board = 0.042 / book_thickness;     // thickness of a board
+constexpr double shell = 0.030 / book_width;         // thickness of the spine
+constexpr double bulge = 0.105 / book_width;         // depth of the spine's round
+constexpr double groove_width = 0.085 / book_width;  // the hinge beside the spine
+constexpr double groove_depth = 0.020 / book_thickness;
+constexpr double fore_edge_hollow = 0.045 / book_width;
 
 struct Divisions {
   int rows;        // along v

@@ -11,10 +11,10 @@ namespace {
 
 constexpr GLsizei samples = 4;
 
-Handle storage(const GladGLContext& gl, GLsizei count, GLenum format, int columns, int rows) {
+Handle storage(const GladGLContext& gl, GLsizei count, GLenum format, int width, int height) {
   Handle buffer = make_renderbuffer(gl);
   gl.BindRenderbuffer(GL_RENDERBUFFER, buffer.id());
-  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, count, format, columns, rows);
+  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, count, format, width, height);
   return buffer;
 }
 
