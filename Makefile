@@ -1,7 +1,7 @@
 # The front door. Each target works alone on a fresh Debian: it installs what is missing, builds, and runs.
 
 .NOTPARALLEL:  # two builds in one folder break it; each build uses every core by itself
-.PHONY: figures gallery test page report bench golden package matrix sanitize sanitize-readers coverage clean
+.PHONY: figures gallery test page report bench golden package matrix sanitize sanitize-readers coverage tidy clean
 
 # Every film, the course page around them, and where there is no report one made in seconds, to which the page links: videos/site/.
 figures: program
@@ -66,6 +66,13 @@ coverage: packages
 	cmake --build build-coverage --target dynamics_tests scene_tests
 	ctest --test-dir build-coverage --output-on-failure -R '^(dynamics|scene)$$'
 	gcovr --filter src/dynamics/ --filter src/scene/ --fail-under-line 95 build-coverage
+
+# What clang-tidy finds in src, read a room at a time, as make compiles it.
+tidy: program
+	@echo clang-tidy >build/tidy-tools && ./install-packages build/tidy-tools
+	sed -n 's|.*"file": "\($(CURDIR)/\(build/\)*src/.*\)".*|\1|p' build/compile_commands.json | \
+	  xargs -d '\n' -P $$(nproc) -n 1 clang-tidy -p build --quiet --checks=-bugprone-suspicious-include \
+	  --extra-arg=-Wno-unknown-warning-option --header-filter='$(CURDIR)/src/.*\.(h|cpp)$$'
 
 clean:
 	rm -rf build build-coverage build-debug build-sanitize videos/site

@@ -55,11 +55,11 @@ template <class Step>
 // The curve on which L_B runs, sphere |L_B| and ellipsoid 2 E, by where it crosses L_b = 0: at (A_a, 0, A_c) and its
 // mirror images. b is the axis of the middle moment, (a, b, c) are right-handed. In units of the largest component.
 struct Orbit {
-  int a, b, c;
+  int a, b = 0, c;
   double f_a, f_c;  // f_a / I_a + f_c / I_c = 1 / I_b, f_a + f_c = 1
   double unit, A_a, A_c;
 
-  Orbit(const Vector3d& I, const Vector3d& L) : b(0), unit(L.cwiseAbs().maxCoeff()) {
+  Orbit(const Vector3d& I, const Vector3d& L) : unit(L.cwiseAbs().maxCoeff()) {
     while ((I(b) - I((b + 1) % 3)) * (I(b) - I((b + 2) % 3)) > 0.0) ++b;
     a = (b + 2) % 3;
     c = (b + 1) % 3;

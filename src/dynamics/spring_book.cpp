@@ -178,7 +178,7 @@ SpringBook::Half SpringBook::accelerations(const Half& x, const Half& v) const {
 void SpringBook::keep(const Half& x, const Half& v) {
   for (int d = 0; d < 3; ++d) {
     for (int i = 0; i < 4; ++i) {
-      const auto at = static_cast<std::size_t>(4 * d + i);
+      const auto at = 4 * static_cast<std::size_t>(d) + static_cast<std::size_t>(i);
       x_W_(d, i) = x[at];
       x_W_(d, 7 - i) = -x[at];
       v_W_(d, i) = v[at];

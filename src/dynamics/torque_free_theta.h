@@ -186,13 +186,13 @@ template <class Real, bool hyperbolic>
   const double shifted = phase.hi * form.reduce + to_integer;
   const Real x = (Real(phase.hi - (shifted - to_integer)) + Real(phase.lo)) * Real(form.period);
   const double sign = std::copysign(1.0, static_cast<double>(x));
-  const double parity =
+  const auto parity =
       std::bit_cast<double>(std::bit_cast<std::uint64_t>(1.0) | std::bit_cast<std::uint64_t>(shifted) << 63);
   const Real distance = std::min(x * Real(sign), Real(form.limit));
   const auto [growth, decay] = exponentials(distance + distance);
   const Real cosh2 = (growth + decay) * Real(form.nome);  // 2 Q' cosh 2X, at most 1 + Q'^2
   const double nome2 = form.nome * form.nome;
-  const double H = static_cast<double>(cosh2);
+  const auto H = static_cast<double>(cosh2);
   const double cosh4 = H * H - 2 * nome2;  // 2 Q'^2 cosh 4X
   const auto [even12, odd12] = even_odd<3>(form.theta12, cosh4);
   const auto [even34, odd34] = even_odd<3>(form.theta34, cosh4);

@@ -60,9 +60,9 @@ std::map<std::string, std::string> library_versions() {
 
 std::string fingerprint_of_drawing(const fs::path& assets) {
   std::string all = drawing_source;
-  for (const auto& [name, version] : library_versions()) all += '\n' + name + ' ' + version;
+  for (const auto& [name, version] : library_versions()) all += fmt::format("\n{} {}", name, version);
   for (const fs::path& file : files_drawn_from(assets)) {
-    all += '\n' + file.filename().string() + ' ' + sha256(read_file(file));
+    all += fmt::format("\n{} {}", file.filename().string(), sha256(read_file(file)));
   }
   return sha256(all);
 }

@@ -177,7 +177,7 @@ void add_polhode(Shot& shot, const BookSetup& setup, const BookTrack& track, std
 
   std::vector<Eigen::Vector3d> path_B;
   for (std::size_t n = frame - std::min(frame, polhode_frames); n <= frame; ++n) {
-    path_B.push_back(track.frames[n].q_WB.conjugate() * track.frames[n].omega_W / std::sqrt(twice_energy));
+    path_B.emplace_back(track.frames[n].q_WB.conjugate() * track.frames[n].omega_W / std::sqrt(twice_energy));
   }
   draw(path_B, palette::yellow, 4.0);
   const Eigen::Vector3d tip_W = R_WB * path_B.back();

@@ -33,6 +33,7 @@ Image halved(const Image& image) {
                             image.pixel(x1, y1)};
       for (std::size_t c = 0; c < 3; ++c) {
         const float light = linear[four[0][c]] + linear[four[1][c]] + linear[four[2][c]] + linear[four[3][c]];
+        // NOLINTNEXTLINE(bugprone-incorrect-roundings): light is never negative
         half.pixel(x, y)[c] = encoded[static_cast<std::size_t>(light * (steps / 4.0F) + 0.5F)];
       }
       half.pixel(x, y)[3] = 255;

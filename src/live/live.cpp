@@ -33,7 +33,7 @@ class Numbers {
   int whole() { return static_cast<int>(number()); }
   Eigen::Vector3d vector() {
     next_ += 3;
-    return Eigen::Vector3d(next_[-3], next_[-2], next_[-1]);
+    return {next_[-3], next_[-2], next_[-1]};
   }
 
  private:

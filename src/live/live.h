@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-typedef struct live live;
+typedef struct live live; /* NOLINT(modernize-use-using): this is C, too */
 
 /* numbers: frames, time_per_frame, substeps, seed; then of each book method, integrator, size (3 numbers),
  * moments (3), orientation (w, x, y, z; zeros: none), angular_velocity (3), jiggle, normalize_every, damping, stiffness,

@@ -9,7 +9,7 @@ extern "C" {
 
 __attribute__((import_module("bookspin"), import_name("fail"))) void bookspin_fail(const char* text, std::size_t size);
 
-void* __cxa_allocate_exception(std::size_t size) noexcept;
+// NOLINTBEGIN(bugprone-reserved-identifier): the names are those of the C++ ABI
 void* __cxa_allocate_exception(std::size_t size) noexcept {
   return std::malloc(size);
 }
@@ -20,4 +20,5 @@ void* __cxa_allocate_exception(std::size_t size) noexcept {
   bookspin_fail(what, std::strlen(what));
   __builtin_trap();
 }
+// NOLINTEND(bugprone-reserved-identifier)
 }

@@ -50,7 +50,7 @@ class Value {
     return json_->get<std::string>();
   }
   [[nodiscard]] std::string file_name() const {
-    const std::string name = json_->is_string() ? json_->get<std::string>() : "";
+    std::string name = json_->is_string() ? json_->get<std::string>() : "";
     if (name.empty() || name == "." || name == ".." || name.find_first_of(std::string_view("/\0", 2)) != name.npos) {
       refuse("the name of a file beside this one");
     }
@@ -94,7 +94,7 @@ class Value {
     return numbers;
   }
   template <typename Read>
-  auto list(const Read& read) const {
+  [[nodiscard]] auto list(const Read& read) const {
     if (!json_->is_array()) refuse("a list");
     std::vector<decltype(read(*this))> entries;
     for (std::size_t i = 0; i < json_->size(); ++i) {
@@ -103,7 +103,7 @@ class Value {
     return entries;
   }
   template <typename Read>
-  auto map(const Read& read) const {
+  [[nodiscard]] auto map(const Read& read) const {
     std::map<std::string, decltype(read(*this))> entries;
     for (const auto& entry : object().items()) entries.emplace(entry.key(), read((*this)[entry.key()]));
     return entries;

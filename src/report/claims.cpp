@@ -23,8 +23,8 @@ constexpr const char* not_measured = "not measured";
 
 struct Facts {
   const Draft& draft;
-  nlohmann::json say{};  // numbers for the sentence
-  std::vector<Verdict> found{};
+  nlohmann::json say;  // numbers for the sentence
+  std::vector<Verdict> found;
 
   double operator[](std::size_t i) const { return found.at(i).found; }
   [[nodiscard]] double frame(std::size_t i) const {
@@ -167,7 +167,7 @@ void claims(Draft& draft) {
     const toml::table& claim = *node.as_table();
     const std::string text = claim["claim"].value_or("");
     draft.say(text.substr(0, 50));
-    Facts facts{draft, draft.page};
+    Facts facts{draft, draft.page, {}};
     facts.say.update(lengths);
     std::vector<std::string> commands;
     for (std::size_t i = 0; claim["trials"][i]; ++i) {

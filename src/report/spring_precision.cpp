@@ -94,7 +94,7 @@ Motion rigid_motion(const BookOptions& options, const Course& course) {
   const Corners rest = body_of(options).corners_B;
   Motion x;
   for (int i = 1; i <= course.samples; ++i)
-    x.push_back(motion.at(i * course.interval()).q_WB.toRotationMatrix() * rest);
+    x.emplace_back(motion.at(i * course.interval()).q_WB.toRotationMatrix() * rest);
   return x;
 }
 

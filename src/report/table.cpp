@@ -13,7 +13,7 @@ namespace {
 
 std::string csv_cell(const Cell& cell) {
   if (cell.is_number()) return std::isfinite(cell.get<double>()) ? fmt::format("{}", cell.get<double>()) : "";
-  const std::string text = cell;
+  std::string text = cell;
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted(1, '"');
   for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);

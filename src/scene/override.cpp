@@ -34,9 +34,9 @@ std::string_view slip_in(std::string_view text, const toml::parse_error& error) 
   static const std::pair<std::regex, const char*> slips[] = {
       {std::regex("[^\"'#]*[=,[]\\s*(\u201c|\u201d|\u201e|\u2018|\u2019|\u201a|\u00ab|\u00bb).*"),
        "; a text stands in straight quotes, \" or '"},
-      {std::regex("[^\"'#=]*=\\s*[-+]?[0-9]+,[0-9].*"), "; decimals follow a point, not a comma"},
-      {std::regex("[^\"'#=]*=\\s*[A-Za-z].*"), "; a text stands in quotes"},
-      {std::regex("\\s*[\\w\"'.-]+\\s*:.*"), "; a key has its value behind ="}};
+      {std::regex(R"([^"'#=]*=\s*[-+]?[0-9]+,[0-9].*)"), "; decimals follow a point, not a comma"},
+      {std::regex(R"([^"'#=]*=\s*[A-Za-z].*)"), "; a text stands in quotes"},
+      {std::regex(R"(\s*[\w"'.-]+\s*:.*)"), "; a key has its value behind ="}};
   for (const auto& [slip, words] : slips) {
     if (std::regex_match(line, slip)) return words;
   }

@@ -64,7 +64,7 @@ std::string object_schema(const KeyTable& table) {
   for (const Key& key : table.keys) {
     properties += fmt::format("{}\n    \"{}\": {{{}", properties.empty() ? "" : ",", key.name, key.schema);
     if (!key.needed && !key.otherwise.empty()) properties += fmt::format(", \"default\": {}", key.otherwise);
-    properties += fmt::format(", \"description\": \"{}\"}}", key.meaning);
+    properties += fmt::format(R"(, "description": "{}"}})", key.meaning);
     if (key.needed) needed += fmt::format("{}\"{}\"", needed.empty() ? "" : ", ", key.name);
   }
   return fmt::format(
