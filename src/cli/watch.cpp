@@ -14,12 +14,14 @@
 #include <new>
 
 #include "cli/standard_output.h"
+#include "files/part.h"
 
 namespace bookspin {
 namespace {
 
 constexpr std::array stop_signals{SIGINT, SIGTERM, SIGHUP};
 constexpr int last_straw = 3;     // some senders signal twice: process and group
+constexpr int patience = 5;       // tenths of a second, with a command that does not look at its token
 constexpr int wake_up = SIGUSR2;  // ends the listener's wait
 constexpr int nudge = SIGUSR1;    // ends the command's wait for a pipe
 
@@ -57,17 +59,22 @@ class Listener {
   Listener& operator=(const Listener&) = delete;
 
   [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
-  [[nodiscard]] int last_signal() const { return last_signal_; }  // 0: none
+  // The command is over. Returns the last signal, 0: none.
+  [[nodiscard]] int end() {
+    while (over_.exchange(true)) pause();  // until the other thread has ended the program
+    return last_signal_;
+  }
 
  private:
   void listen() {
     constexpr timespec a_while{0, 100'000'000};
-    for (int count = 0;;) {
+    for (int count = 0, nudges = 0;;) {
       const int number =
           last_signal_ == 0 ? sigwaitinfo(&signals_, nullptr) : sigtimedwait(&signals_, nullptr, &a_while);
       if (number == wake_up) return;
       if (number < 0) {
         if (last_signal_ != 0) pthread_kill(command_, nudge);
+        if (last_signal_ != 0 && ++nudges == patience) end_without_the_command();
         continue;
       }
       last_signal_ = number;
@@ -78,11 +85,19 @@ class Listener {
     }
   }
 
+  void end_without_the_command() {
+    abandon_parts();
+    if (over_.exchange(true)) return;
+    complain(Stopped().what());
+    _exit(128 + last_signal_);
+  }
+
   const pthread_t command_ = pthread_self();
   struct sigaction nudge_before_ {};
   sigset_t signals_{};
   sigset_t before_{};
   std::atomic<int> last_signal_ = 0;
+  std::atomic<bool> over_ = false;
   std::stop_source source_;
   std::jthread thread_;
 };
@@ -107,14 +122,16 @@ void count_interrupt(int number) {
 }  // namespace
 
 int stoppable(const std::function<int(const std::stop_token&)>& command) {
-  const Listener listener;
+  Listener listener;
   try {
     const int exit_code = command(listener.token());
-    return exit_code == 0 || listener.last_signal() == 0 ? exit_code : 128 + listener.last_signal();
+    const int signal = listener.end();
+    return exit_code == 0 || signal == 0 ? exit_code : 128 + signal;
   } catch (const std::exception& error) {
-    if (listener.last_signal() == 0) throw;
+    const int signal = listener.end();
+    if (signal == 0) throw;
     complain(error.what());
-    return 128 + listener.last_signal();
+    return 128 + signal;
   }
 }
 

@@ -9,7 +9,9 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdlib>
+#include <mutex>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -22,6 +24,9 @@ namespace bookspin {
 namespace fs = std::filesystem;
 
 namespace {
+
+std::recursive_mutex making;  // of the set, and of names; publish() makes parts of its own
+std::set<const Part*> in_the_making;
 
 fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : ".";
@@ -158,6 +163,7 @@ Part::Part(fs::path file, NamedBy named_by) : file_(std::move(file)), named_by_(
   const fs::path folder = folder_of(file_);
   settle(folder);
   require_replaceable();
+  const std::lock_guard lock(making);
   while (descriptor_ < 0) {
     path_ = private_name(folder, "part");
     descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
@@ -169,9 +175,13 @@ Part::Part(fs::path file, NamedBy named_by) : file_(std::move(file)), named_by_(
     const bool taken = flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
     if (taken || fstat(descriptor_, &found) != 0 || found.st_nlink == 0) close(std::exchange(descriptor_, -1));
   }
+  pid_ = getpid();
+  in_the_making.insert(this);
 }
 
 Part::~Part() {
+  const std::lock_guard lock(making);
+  in_the_making.erase(this);
   if (!path_.empty()) unlink(path_.c_str());
   close(descriptor_);
 }
@@ -199,7 +209,15 @@ void Part::flush() const {
   if (fsync(descriptor_) != 0) throw_file_error(shown(), "cannot be flushed to the disk");
 }
 
+void abandon_parts() {
+  making.lock();  // for good
+  for (const Part* part : in_the_making) {
+    if (part->pid_ == getpid() && !part->path_.empty()) unlink(part->path_.c_str());
+  }
+}
+
 void publish(const std::vector<Part*>& parts, const fs::path& obsolete) {
+  const std::lock_guard guard(making);
   const fs::path folder = folder_of(parts.front()->file_);
   const auto name_of = [](const fs::path& file) { return file.filename().string(); };
   Checksums made;

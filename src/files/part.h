@@ -32,16 +32,22 @@ class Part {
   void require_replaceable() const;
   void flush() const;
   void take_name();
+  friend void abandon_parts();
 
   std::filesystem::path file_;
   NamedBy named_by_;
   std::filesystem::path path_;  // empty: published
   int descriptor_ = -1;         // holds the lock
+  int pid_ = 0;                 // of the process that made it, whose children know of it
 };
 
 // `obsolete`, if any, is a file of that folder that goes when the parts come, if it is the program's own.
 void publish(const std::vector<Part*>& parts, const std::filesystem::path& obsolete = {});
 
 void settle(const std::filesystem::path& folder);
+
+// For a process that ends although its work goes on: waits for what another thread is publishing, removes what else this
+// process has in the making, and keeps that thread from making or publishing anything more.
+void abandon_parts();
 
 }  // namespace bookspin

@@ -7,16 +7,21 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <stdexcept>
 #include <thread>
 
+#include "files/part.h"
+
 namespace bookspin {
 namespace {
 
-constexpr char returned = 'r', threw = 't';  // the first byte of what is said
+constexpr std::chrono::milliseconds patience{500};  // with work that does not look at its token
+constexpr char returned = 'r', threw = 't';         // the first byte of what is said
 
 [[noreturn]] void work_as_child(const std::function<std::string(const std::stop_token&)>& work, int pipe,
                                 pid_t parent) {
@@ -26,10 +31,19 @@ constexpr char returned = 'r', threw = 't';  // the first byte of what is said
   sigemptyset(&term);
   sigaddset(&term, SIGTERM);  // blocked since before the fork
   std::stop_source source;
+  std::atomic<bool> over = false;
+  const auto end_by_term = [&term] {
+    std::signal(SIGTERM, SIG_DFL);
+    pthread_sigmask(SIG_UNBLOCK, &term, nullptr);
+    std::raise(SIGTERM);
+  };
   std::thread([&] {
     int number = 0;
     sigwait(&term, &number);
     source.request_stop();
+    std::this_thread::sleep_for(patience);
+    abandon_parts();
+    if (!over.exchange(true)) end_by_term();
   }).detach();
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) source.request_stop();
@@ -38,12 +52,10 @@ constexpr char returned = 'r', threw = 't';  // the first byte of what is said
   try {
     said = returned + work(source.get_token());
   } catch (const std::exception& error) {
-    if (source.stop_requested()) {  // all is taken back: now as the signal would have it
-      pthread_sigmask(SIG_UNBLOCK, &term, nullptr);
-      std::raise(SIGTERM);
-    }
+    if (source.stop_requested()) end_by_term();  // all is taken back: now as the signal would have it
     said = std::string(1, threw) + error.what();
   }
+  while (over.exchange(true)) pause();  // until the other thread has ended the process
   for (std::size_t at = 0; at < said.size();) {
     const ssize_t written = write(pipe, said.data() + at, said.size() - at);
     if (written < 0 && errno != EINTR) _exit(1);

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -16,6 +17,8 @@
 #include <vector>
 
 #include "cli/my_script.h"
+#include "cli/watch.h"
+#include "files/part.h"
 #include "video/mp4_reader.h"
 
 namespace bookspin {
@@ -119,6 +122,30 @@ TEST_F(Interrupts, CheckAndTrajectoryCanBeStopped) {
     EXPECT_EQ(exit_code_of(child), 128 + SIGTERM) << command;
     fs::remove(scratch / "script");
   }
+}
+
+// A picture of 16 million pixels takes Mesa and libpng a while each, and neither looks for signals.
+TEST(Stoppable, ACommandThatDoesNotLookIsEndedAndLeavesNothing) {
+  const Scratch scratch;
+  std::array<int, 2> pipe{};
+  ASSERT_EQ(::pipe(pipe.data()), 0);
+  std::fflush(stdout);
+  const pid_t child = fork();
+  if (child == 0) {
+    std::signal(SIGINT, SIG_DFL);
+    _exit(stoppable([&](const std::stop_token&) -> int {
+      const Part part(scratch / "picture");
+      if (write(pipe[1], "!", 1) != 1) return 1;
+      for (;;) pause();
+    }));
+  }
+  close(pipe[1]);
+  char ready = 0;
+  EXPECT_EQ(read(pipe[0], &ready, 1), 1);
+  close(pipe[0]);
+  kill(child, SIGINT);
+  EXPECT_EQ(exit_code_of(child), 128 + SIGINT);
+  EXPECT_TRUE(fs::is_empty(scratch.folder()));
 }
 
 // A script that nobody writes, an output that nobody reads.

@@ -54,6 +54,23 @@ TEST(Part, IsGoneUnlessItIsPublished) {
   EXPECT_TRUE(fs::is_empty(scratch.folder()));
 }
 
+// In a child, which keeps the lock for good.
+TEST(Part, IsGoneWhenItsProcessAbandonsIt) {
+  const Scratch scratch;
+  const Part of_the_parent(scratch / "a");
+  const pid_t child = fork();
+  if (child == 0) {
+    const Part part(scratch / "b");
+    abandon_parts();
+    _exit(fs::exists(part.path()) ? 1 : 0);
+  }
+  int status = -1;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_TRUE(fs::exists(of_the_parent.path()));
+  EXPECT_EQ(files_in(scratch.folder()), 1);
+}
+
 TEST(Part, LeavesAUsersFilesAlone) {
   const Scratch scratch;
   fs::create_directories(scratch / "a.part");

@@ -2,9 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
+#include <functional>
 #include <thread>
 
 #include "files/checksums.h"
@@ -31,12 +33,27 @@ TEST(Process, SaysWhatItsWorkSaysOrWhyNot) {
                 return "";
               }),
               testing::StartsWith("its process "));  // a sanitizer ends it in its own way
-  Process waits([](const std::stop_token& stop) {
+}
+
+// Also one that does not look at its token, and has something in the making.
+TEST(Process, EndsBySigtermWhenItIsAskedToStop) {
+  const Scratch scratch;
+  const auto wait_for_the_token = [](const std::stop_token& stop) -> std::string {
     while (!stop.stop_requested()) std::this_thread::yield();
-    return std::string("stopped");
-  });
-  waits.ask_to_stop();
-  EXPECT_EQ(waits.result(), "stopped");
+    throw std::runtime_error("stopped");
+  };
+  const auto never_look = [&](const std::stop_token&) -> std::string {
+    const Part part(scratch / "film");
+    for (;;) pause();
+  };
+  using Work = std::function<std::string(const std::stop_token&)>;
+  for (const Work& work : {Work(wait_for_the_token), Work(never_look)}) {
+    Process process(work);
+    process.ask_to_stop();
+    EXPECT_THAT([&] { (void)process.result(); },
+                testing::ThrowsMessage<std::runtime_error>("its process was ended by signal 15 (Terminated)"));
+  }
+  EXPECT_TRUE(fs::is_empty(scratch.folder()));
 }
 
 TEST_F(Shoot, UpToDateMeansMadeOfThisScriptInThisWayAndWhole) {
