@@ -15,9 +15,9 @@
 namespace bookspin {
 
 // Runs a command, which SIGINT, SIGTERM or SIGHUP asks to stop (unless the caller had them ignored, as nohup does); the
-// third of them ends the program at once. A command that goes on for half a second is ended, and leaves no Part. A call of the command that waits for a pipe then fails with EINTR. Returns the
+// third of them ends the program at once. A call of the command that waits for a pipe then fails with EINTR. Returns the
 // command's exit code, or 128 + the signal's number when it failed or threw after a signal. What it throws otherwise
-// passes.
+// passes. A command that goes on for half a second is ended with that code, and leaves no Part.
 int stoppable(const std::function<int(const std::stop_token&)>& command);
 
 // The same signals, counted without a thread, for a command that forks.

@@ -29,10 +29,10 @@ class Part {
 
  private:
   friend void publish(const std::vector<Part*>& parts, const std::filesystem::path& obsolete);
+  friend void abandon_parts();
   void require_replaceable() const;
   void flush() const;
   void take_name();
-  friend void abandon_parts();
 
   std::filesystem::path file_;
   NamedBy named_by_;

@@ -3,8 +3,9 @@
 // Processes, not threads: Mesa's software renderer has one lock for all threads that draw (two of them spend a sixth of
 // their time waiting for it), and one that is killed takes nobody with it. Fork before OpenGL or threads are begun. The
 // function's token is asked to stop by ask_to_stop(), by SIGTERM from anywhere, and when the parent has gone; when it has
-// thrown thereupon, or goes on for half a second, the process ends by SIGTERM and leaves no Part. SIGINT and SIGHUP, which a terminal sends to all, are the parent's to
-// pass on. Throws std::runtime_error when the system has no process or pipe left.
+// thrown thereupon, or goes on for half a second, the process ends by SIGTERM and leaves no Part. SIGINT and SIGHUP,
+// which a terminal sends to all, are the parent's to pass on. Throws std::runtime_error when the system has no process or
+// pipe left.
 #pragma once
 
 #include <functional>
