@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::recursive_mutex making;  // of the set, and of names; publish() makes parts of its own
+std::mutex making;  // of the set, and of the names of what is in it
 std::set<const Part*> in_the_making;
 
 fs::path folder_of(const fs::path& file) {
@@ -217,7 +217,6 @@ void abandon_parts() {
 }
 
 void publish(const std::vector<Part*>& parts, const fs::path& obsolete) {
-  const std::lock_guard guard(making);
   const fs::path folder = folder_of(parts.front()->file_);
   const auto name_of = [](const fs::path& file) { return file.filename().string(); };
   Checksums made;
@@ -227,6 +226,7 @@ void publish(const std::vector<Part*>& parts, const fs::path& obsolete) {
   }
   if (parts.size() == 1 && made.empty() && obsolete.empty()) {
     parts.front()->require_replaceable();
+    const std::lock_guard lock(making);
     parts.front()->take_name();
     return;
   }
@@ -257,6 +257,7 @@ void publish(const std::vector<Part*>& parts, const fs::path& obsolete) {
   write_part(journal, journal_of(steps));
   journal.flush();
 
+  const std::lock_guard names(making);
   // From here to its removal the journal says how to go back: for us, or for whoever settles the folder after a kill.
   const auto remove_backups = [&] {
     for (const Step& step : steps) {

@@ -46,8 +46,8 @@ void publish(const std::vector<Part*>& parts, const std::filesystem::path& obsol
 
 void settle(const std::filesystem::path& folder);
 
-// For a process that ends although its work goes on: waits for what another thread is publishing, removes what else this
-// process has in the making, and keeps that thread from making or publishing anything more.
+// For a process that ends although its work goes on: waits while another thread gives parts their names, removes what
+// else this process has in the making, and keeps that thread from making or publishing anything more.
 void abandon_parts();
 
 }  // namespace bookspin
